@@ -29,6 +29,12 @@ class Add(cases.WalkerTestCase):
             "body_tilt": 0.25,
             "frequency": 3.0,
             "damping": 0.5,
+            "ankle": 0.125,
+            "use_soles": True,
+            "heel": 0.0625,
+            "toe": 0.25,
+            "strike": 0.5,
+            "push": 0.75,
             "jump": 2.5,
             "forward_axis": 'NEG_Y',
             "up_axis": 'POS_Z',
@@ -286,7 +292,7 @@ class Remove(cases.WalkerTestCase):
         body, _, feet = cases.cross()
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
         setup = support.addon("walker.setup")
-        with mock.patch.object(setup.Leg, "place", side_effect=ReferenceError), self.assertRaises(ReferenceError):
+        with mock.patch.object(setup.Leg, "matrix", side_effect=ReferenceError), self.assertRaises(ReferenceError):
             setup.take_rests(bpy.context, body)
         self.assertFalse(any(constraint.mute for foot in feet for constraint in foot.constraints))
 

@@ -1,9 +1,10 @@
-"""The picture of the gaits on the page of walkers, made through the add-on's own operators and the plans that they make."""
+"""The pictures of gaits and soles on the page of walkers, made through the add-on's own operators and the plans that they make."""
 
 import math
 
 import bpy
 import numpy as np
+from mathutils import Matrix, Quaternion
 
 import stage
 import support
@@ -13,11 +14,17 @@ SPACING, BELOW = 1.55, -1.05
 SECONDS, SWINGING, STANDING = 2.0, (0.92, 0.36, 0.05, 1.0), (0.16, 0.24, 0.34, 1.0)
 BAR, ROW = 0.052, 0.098
 LAST = 97
+MOMENTS, APART = (0.0, 0.05, 0.12, 0.3, 0.45, 0.53, 0.599, 0.68, 0.8, 0.92), 0.36
+ANKLE, HEEL, TOE = 0.09, 0.06, 0.16
 
 
 def render_all(folder):
-    """Render the picture into `folder`; returns the files."""
+    """Render the pictures into `folder`; returns the files."""
     folder.mkdir(exist_ok=True)
+    return [_gaits(folder / "walker_gaits.png"), _soles(folder / "walker_soles.png")]
+
+
+def _gaits(file):
     scene = stage.new_scene((0.66, 0.72, 0.78), 0.75)
     scene.frame_end = 240
     stage.add_floor(stage.glossy_material("Floor", (0.56, 0.62, 0.66, 1.0), 0.95)).location.z = -0.004
@@ -28,7 +35,75 @@ def render_all(folder):
         _tell(index, gait, spider, colors)
     scene.frame_set(1)
     stage.add_camera(scene, (0.0, -0.42, 10.0), (0.0, -0.42, 0.0), width=SPACING * len(GAITS) + 0.1).rotation_euler = (0.0, 0.0, 0.0)
-    return [stage.render(scene, folder / "walker_gaits.png", (1280, 400), samples=64)]
+    return stage.render(scene, file, (1280, 400), samples=64)
+
+
+def _soles(file):
+    """A foot of a biped at moments of one cycle, side by side: from the touch of its heel to the next one."""
+    scene = stage.new_scene((0.66, 0.72, 0.78), 0.6)
+    scene.frame_end = 240
+    stage.add_floor(stage.glossy_material("Floor", (0.42, 0.48, 0.52, 1.0), 0.95))
+    stage.add_sun((math.radians(38), math.radians(-14), 0.0), 1.7, softness=8.0)
+    colors = [
+        stage.glossy_material(name, color) for name, color in (("Standing", (0.05, 0.22, 0.5, 1.0)), ("Swinging", (0.9, 0.3, 0.05, 1.0)))
+    ]
+    body, step = _biped()
+    walker = _walker(body)
+    times = [step[0] + (step[1] - step[0]) * share for share in MOMENTS]
+    for index, (moment, time) in enumerate(zip(MOMENTS, times)):
+        turn, place = Quaternion(walker.turns(time)[0]), walker.feet(time)[0]
+        x = (index - (len(MOMENTS) - 1) / 2) * APART
+        foot = _foot(colors[int(walker.swing(time)[0] > 0.0)])
+        foot.matrix_world = Matrix.Translation((x, 0.0, place[2])) @ turn.to_matrix().to_4x4()
+        stage.add_text(f"{100.0 * moment:.0f} %", (x + 0.05, 0.0, 0.32), 0.05)
+    stage.add_camera(scene, (0.05, -6.0, 1.0), (0.05, 0.0, 0.15), width=APART * len(MOMENTS) + 0.05)
+    return stage.render(scene, file, (1280, 240), samples=64)
+
+
+def _biped():
+    """A body on two feet that walks along +X; (body, times of two touches of the first foot, s)."""
+    body = stage.link(bpy.data.objects.new("Body", None))
+    body.rotation_euler.z = math.radians(-90.0)
+    feet = [stage.link(bpy.data.objects.new(f"Foot {side}", None)) for side in (-1, 1)]
+    for side, foot in zip((-0.1, 0.1), feet):
+        foot.location = (0.0, -side, ANKLE)
+    bpy.context.view_layer.update()
+    bpy.ops.motus.walker_add(
+        object=body.name,
+        feet=",".join(foot.name for foot in feet),
+        gait='WALK',
+        use_plane=True,
+        use_soles=True,
+        ankle=ANKLE,
+        heel=HEEL,
+        toe=TOE,
+        stride=0.6,
+        clearance=0.08,
+    )
+    for frame, x in ((1, 0.0), (240, 9.0)):
+        body.location.x = x
+        body.keyframe_insert("location", frame=frame)
+    for curve in support.addon("core.blender.actions").fcurves(body):
+        for point in curve.keyframe_points:
+            point.interpolation = 'LINEAR'
+    bpy.context.view_layer.update()
+    steps = _walker(body).steps
+    touches = steps["touch"][steps["leg"] == 0]
+    return body, touches[3:5]
+
+
+def _foot(material):
+    """A shoe whose origin is at its ankle, and which looks along +Y."""
+    outline = [(-HEEL, -ANKLE), (TOE, -ANKLE), (TOE + 0.01, -ANKLE + 0.025), (0.6 * TOE, -0.03), (0.035, 0.06), (-HEEL + 0.005, 0.06)]
+    count, mesh = len(outline), bpy.data.meshes.new("Foot")
+    mesh.from_pydata(
+        [(side, y, z) for side in (-0.04, 0.04) for y, z in outline],
+        [],
+        [tuple(range(count))[::-1], tuple(range(count, 2 * count))]
+        + [(one, (one + 1) % count, (one + 1) % count + count, one + count) for one in range(count)],
+    )
+    mesh.materials.append(material)
+    return stage.link(bpy.data.objects.new("Foot", mesh))
 
 
 def _x(index):

@@ -1048,9 +1048,13 @@ class Walker:
     it does if a rest place moves further than `jump`, > 0, from one sample to the next; None: 4 strides.
     frequency, damping, response: the SecondOrder of the body's height and tilt, which follow the plane of its feet; height,
     tilt, [0, 1]: share of each that the body follows.
+    forward: of the feet, in the body's space, of which the part across up counts.  ankle, >= 0: height of a foot's place above the ground under its
+    sole.  heel, toe, >= 0: how far behind and ahead of a foot's place its sole rolls.  strike, push, rad, [0, pi/2]: how much the toe
+    is up when a heel touches down, and the heel when a toe lifts; less in steps shorter than the stride, the other way round in
+    steps that go backwards.
     Raises ValueError or TypeError that names the argument, also if more than 1,000,000 steps would be planned.
     """
-    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0) -> None:
+    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), ankle: float = 0.0, heel: float = 0.0, toe: float = 0.0, strike: float = 0.0, push: float = 0.0) -> None:
         ...
     def body(self, times: numpy.typing.ArrayLike) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         """
@@ -1059,7 +1063,7 @@ class Walker:
         """
     def feet(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
         """
-        Positions of the feet at times, s, a number or (m,): (n, 3) or (m, n, 3). While a foot stands its position has the same bits.
+        Positions of the feet at times, s, a number or (m,): (n, 3) or (m, n, 3). While a sole lies flat its position has the same bits.
         """
     def normals(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
         """
@@ -1072,6 +1076,11 @@ class Walker:
     def swing(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
         """
         Fraction of the swing of each foot, 0 to 1, and 0 while it stands: (n,) or (m, n).
+        """
+    def turns(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Rotations of the soles from the body's space to the world, w, x, y, z, (n, 4) or (m, n, 4): flat on the ground, the heading that
+        of the body at the middle of the stand, rolled over heel and toe, or in a swing between.
         """
     @property
     def leg_count(self) -> int:
@@ -1762,13 +1771,15 @@ def vertical_parallax(depth: numpy.typing.ArrayLike, aspect: float, interaxial: 
     
     aspect: the image's width / its height, > 0.  Other arguments as for parallax().  Returns a float.
     """
-def walker_gait(gait: typing.Literal['tripod', 'tetrapod', 'ripple', 'wave', 'trot', 'pace'], rest: numpy.typing.ArrayLike, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0)) -> tuple[numpy.typing.NDArray[numpy.float64], float]:
+def walker_gait(gait: typing.Literal['tripod', 'tetrapod', 'ripple', 'wave', 'trot', 'pace', 'walk', 'run', 'canter', 'gallop', 'hop'], rest: numpy.typing.ArrayLike, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0)) -> tuple[numpy.typing.NDArray[numpy.float64], float]:
     """
     When the legs of a gait swing: (phases (n,), [0, 1), duty): leg i swings while frac(phase + phases[i]) < 1 - duty.
     
     gait: 'tripod', neighbours alternate; 'tetrapod', neighbours alternate, and all stand for a moment in between: L1 R2 L3 R4 | R1 L2 R3 L4; 'ripple',
     on each side from the back to the front, the sides about half a cycle apart; 'wave', one after the other; 'trot', the front
-    half of a side with the rear half of the other; 'pace', all left legs, then all right legs.
+    half of a side with the rear half of the other; 'pace', all left legs, then all right legs; 'walk', on each side from the
+    back to the front, the sides half a cycle apart; 'run', as a trot with all feet in the air in between; 'canter', three beats, the
+    left side leads; 'gallop', four beats, the left side leads; 'hop', all together.
     rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
     Raises ValueError or TypeError that names the argument.
     """

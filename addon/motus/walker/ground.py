@@ -6,11 +6,14 @@ from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.scenery import gathered, meshes, seen
+from . import carrier
 
 GONE = Problem("The ground is gone: choose another one", blocking=False)
 NO_FACES = Problem("The ground has no faces", blocking=False)
 MOVING = Problem("Ground that may move is left out: feet do not stand on it", blocking=False)
-PROBLEMS = GONE, NO_FACES, MOVING
+NOT_CARRIED = Problem("Ground that does not go along with the carrier is left out: feet do not stand on it", blocking=False)
+CARRIER_GONE = Problem("The carrier is gone: choose another one", blocking=False)
+PROBLEMS = GONE, NO_FACES, MOVING, NOT_CARRIED, CARRIER_GONE
 
 DEEPEST = 64
 """Most parents, one above the other, that is_walking() goes through."""
@@ -29,7 +32,8 @@ def objects(settings):
 def parts(settings, scene):
     """Collect the ground of a walker; returns (tuple of meshes.Placed, Problem to show or None).
 
-    A Placed is a triangle mesh with its world matrix. Each ground mesh that does not move over time gives one.
+    A Placed is a triangle mesh with its world matrix, or its matrix in the space of the walker's carrier. Each ground mesh that does not
+    move over time, or in this space, gives one.
     settings: evaluated settings of the walker, which name the ground's object and collection.
     """
     ready = wiring.waited_for(settings)
@@ -41,11 +45,24 @@ def parts(settings, scene):
             fault = GONE
         else:
             found.append(seen.alone(ground))
-    still = seen.still(found, scene)
-    fault = fault or (MOVING if len(still) < len(found) else None)
-    placed = tuple(filter(None, (one.placed for one in still)))
+    placed = _placed(found, settings, scene)
+    if carrier.is_gone(settings):
+        fault = CARRIER_GONE
+    elif len(placed) < len(found):
+        fault = fault or (MOVING if carrier.of(settings) is None else NOT_CARRIED)
+    placed = tuple(filter(None, placed))
     is_named = ground is not None or pointed(settings, "grounds") is not None
     return placed, fault or (NO_FACES if is_named and not placed else None)
+
+
+def _placed(found, settings, scene):
+    """List the Placed of each Seen that does not move, None if it has no faces; with a carrier, of each that goes along with it."""
+    carried_by = carrier.of(settings)
+    if carried_by is None:
+        return [one.placed for one in seen.still(found, scene)]
+    track = carrier.track_of(settings.id_data, scene)
+    alone = [one.objects[0] for one in found if len(one.objects) == 1]
+    return [placed for placed in (carrier.placed(obj, carried_by, track, scene) for obj in alone) if placed]
 
 
 def made(placed, plane):

@@ -10,7 +10,7 @@ from ..core import keeping, rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.file import stored
 from ..core.lazy import numpy as np
-from . import legs
+from . import carrier, legs
 
 PLAN = "plan"
 """Key of a group's data, under which a JSON text of the form _FORM stands; parsed() reads it.
@@ -35,11 +35,18 @@ def entries(owner):
     feet = legs.feet(owner)
     if not feet:
         return []
-    found = [Entry(FEET, ((owner, ""),), tuple(foot.driven for foot in feet))]
+    read = ((owner, ""), *((one, "") for one in _carriers(owner)))
+    found = [Entry(FEET, read, tuple(foot.driven for foot in feet))]
     body = legs.body(owner)
     if body is not None and not _is_foot(body, feet):
-        found.append(Entry(BODY, ((owner, ""), *_above(owner, body)), (body if owner.pose is None else body.name,)))
+        found.append(Entry(BODY, (*read, *_above(owner, body)), (body if owner.pose is None else body.name,)))
     return found
+
+
+def _carriers(owner):
+    """The object that carries the walker's ground, in a list; [] if there is none."""
+    found = carrier.of(owner.motus.walker)
+    return [] if found is None else [found]
 
 
 def _above(owner, body):
@@ -72,10 +79,11 @@ def groups(owner):
             }
         )
     }
+    channels = LEANING if owner.motus.walker.use_soles else PLACE
     found = [
         Group(
-            members=tuple(Member(foot.thing, PLACE, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
-            inputs=(Transform(owner),),
+            members=tuple(Member(foot.thing, channels, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
+            inputs=tuple(map(Transform, (owner, *_carriers(owner)))),
             data=data,
         )
     ]
@@ -85,7 +93,7 @@ def groups(owner):
             Group(
                 key=BODY,
                 members=(Member(body, _channels(owner, body), 'LOCAL', is_relative=True),),
-                inputs=(Transform(owner), *(Transform(*pair) for pair in _above(owner, body)), *own),
+                inputs=(*map(Transform, (owner, *_carriers(owner))), *(Transform(*pair) for pair in _above(owner, body)), *own),
                 data=data,
             )
         )

@@ -19,6 +19,9 @@ class GroundKeywords:
     grounds: bpy.props.StringProperty(
         name="Collection", description="Name of a collection whose mesh objects the feet stand on", options={'SKIP_SAVE'}
     )
+    carrier: bpy.props.StringProperty(
+        name="Carrier", description="Name of an object that carries body and ground, such as a ship", options={'SKIP_SAVE'}
+    )
 
 
 def ground_of(operator, owner=None):
@@ -31,6 +34,8 @@ def ground_of(operator, owner=None):
         found["ground"] = targets.ground_for(operator.ground, owner)
     if operator.grounds:
         found["grounds"] = named_collection(operator.grounds)
+    if operator.carrier:
+        found["carrier"] = targets.carrier_for(operator.carrier, owner)
     return found
 
 

@@ -2,7 +2,7 @@
 
 import functools
 
-from mathutils import Matrix
+from mathutils import Matrix, Quaternion
 
 from ..core.animation.channel import Channel
 from ..core.animation.keys import union, united, whole
@@ -14,7 +14,7 @@ from ..core.measures import scene_time
 from ..core.tracks import rotations
 from ..core.tracks.in_world import World
 from ..core.tracks.solved import placed
-from . import leaning, legs, plan
+from . import carrier, leaning, legs, plan, soles
 
 CYCLES = 2.0
 """Number of cycles of all legs, at the slowest cadence, in which all feet come to rest after the body has stopped."""
@@ -46,7 +46,7 @@ class _OverTime:
     def __init__(self, owner, thing, scene):
         self._owner, self._thing, self._scene = owner, thing, scene
         self._influence = Channel(owner, "motus.walker.influence", -1)
-        self._body = plan.body_track(owner, scene)
+        self._body, self._way = plan.body_track(owner, scene), plan.way_track(owner, scene)
 
     @functools.cached_property
     def _plan(self):
@@ -58,7 +58,13 @@ class _OverTime:
     @property
     def reason(self):
         """The Reason for which the motion is not known at frames different from the present one; None if it is known."""
-        return (None if self._body.is_known else self._body.reason) or self._influence.reason
+        return next((track.reason for track in (self._body, *self._carriers) if not track.is_known), None) or self._influence.reason
+
+    @property
+    def _carriers(self):
+        """The Track of the walker's carrier, in a list; [] if it has none."""
+        found = carrier.track_of(self._owner, self._scene)
+        return [] if found is None else [found]
 
     @property
     def _fps(self):
@@ -69,7 +75,7 @@ class _OverTime:
 
     def bounds(self, first, last):
         """Rising frames from `first` to `last` between which the motion is smooth: whole frames, and bends of body and influence."""
-        return union([[first, *whole(first, last), last], self._body.bounds(first, last), self._influence.bounds(first, last)])
+        return union([[first, *whole(first, last), last], self._way.bounds(first, last), self._influence.bounds(first, last)])
 
     @property
     def extent(self):
@@ -78,7 +84,7 @@ class _OverTime:
         The last frame is an estimate of when the feet come to rest, which is later than when the body does. The exact frame would need
         the plan of the walk, which takes longer to compute.
         """
-        moving, settings = self._body.extent, self._owner.motus.walker
+        moving, settings = self._way.extent, self._owner.motus.walker
         if moving is not None:
             rest = CYCLES / max(SLOWEST, settings.cadence) + FADES / max(SLOWEST, settings.frequency)
             moving = moving[0], moving[1] + rest * self._fps
@@ -111,6 +117,10 @@ class _Foot(_OverTime):
             return None
         return self._plan.walker.feet(self._seconds(times))[:, self._leg]
 
+    def _turns(self, times):
+        """Turns (n, 4) of the foot, in world space, at frames (n,); None if the foot does not turn with the ground."""
+        return soles.turned(self._plan, self._seconds(times))[:, self._leg] if self._plan.turns else None
+
     def applied(self, times, matrices):
         """Move the world matrices of a foot object to the footholds of the walk, by the setting Influence; returns (n, 4, 4).
 
@@ -121,8 +131,10 @@ class _Foot(_OverTime):
             return matrices
         matrices = np.broadcast_to(matrices, (len(times), 4, 4))
         weights = self._influence.values(times)[:, None]
-        own = matrices[:, :3, 3]
-        return placed(matrices, own + weights * (places - own), None, np.ones(len(times), bool))
+        own, turns = matrices[:, :3, 3], self._turns(times)
+        if turns is not None:
+            turns = soles.mixed(rotations.of_axes(matrices[:, :3, :3]), turns, weights[:, 0])
+        return placed(matrices, own + weights * (places - own), turns, np.ones(len(times), bool))
 
     @property
     def _own(self):
@@ -159,21 +171,26 @@ class _BoneFoot(_OnBone, _Foot):
     """Motion over time of a foot that is a bone."""
 
     def applied(self, times, transforms):
-        """Replace the locations of a foot bone's own transforms so that the bone stands on the walk's footholds; returns Transforms.
+        """Replace a foot bone's own location, and its rotation if soles turn, by the walk's; returns Transforms.
 
-        The setting Influence mixes the two locations. times: (n,), frames. transforms: Transforms from the bone's own channels.
+        The setting Influence mixes the two. times: (n,), frames. transforms: Transforms from the bone's own channels.
         """
         places = self._places(times)
         if places is None:
             return transforms
         weights = self._influence.values(times).tolist()
         locations = np.array(np.broadcast_to(transforms.locations, (len(times), 3)))
+        own_turns, turns = np.broadcast_to(transforms.rotations, (len(times), 4)), self._turns(times)
         for row, (world, above) in enumerate(self._each(times)):
             at_rest, axes = leaning.of_bone(self._thing, leaning.IDENTITY, above, world)
             inverse, own = axes.inverted_safe(), locations[row]
             there = inverse @ (Matrix.Translation(places[row].tolist()).translation - at_rest.translation)
             locations[row] = own + weights[row] * (np.array(there) - own)
-        return transforms._replace(locations=locations)
+            if turns is not None:
+                turns[row] = at_rest.to_quaternion().inverted() @ Quaternion(turns[row])
+        if turns is None:
+            return transforms._replace(locations=locations)
+        return transforms._replace(locations=locations, rotations=soles.mixed(own_turns, turns, weights))
 
 
 class _Leaning(_OverTime):

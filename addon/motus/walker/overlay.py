@@ -8,6 +8,7 @@ from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
 from ..core.measures import axes, scene_time
 from . import told
+from .carrier import Carried
 
 LEFT_COLOR, RIGHT_COLOR = (0.35, 0.80, 1.0, 0.9), (1.0, 0.65, 0.25, 0.9)
 REST_COLOR = (0.85, 0.85, 0.90, 0.5)
@@ -57,7 +58,7 @@ def _is_left(owner):
 
 
 def _of_steps(walker, now, size, is_left):
-    steps = walker.steps
+    steps = walker.steps_at(now) if isinstance(walker, Carried) else walker.steps
     near = np.flatnonzero((steps["touch"] > now - SECONDS) & (steps["lift"] < now + SECONDS))
     if len(near) == 0:
         return []

@@ -42,7 +42,13 @@ def draw_ground(layout, context):
     column = ui.split(layout)
     column.prop(settings, "ground")
     column.prop(settings, "grounds")
+    column.prop(settings, "carrier")
     rows.GROUND.draw(column, settings)
+
+
+def draw_soles(layout, context):
+    """Draw the settings of how feet lie on the ground and roll over heel and toe."""
+    rows.SOLES.draw(ui.split(layout), _walker(context).motus.walker)
 
 
 def draw_body(layout, context):
@@ -114,6 +120,7 @@ PANEL = panels.SystemPanel(
     draw=draw_main,
     parts=(
         panels.Part("ground", "Ground", draw_ground, is_open=True),
+        panels.Part("soles", "Soles", draw_soles),
         panels.Part("body", "Body", draw_body, is_open=True),
         panels.Part("legs", "Legs", draw_legs),
         panels.Part("whole", "More", draw_whole),

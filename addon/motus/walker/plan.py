@@ -17,7 +17,7 @@ from ..core.evaluated import copies
 from ..core.lazy import numpy as np
 from ..core.measures import axes, scene_time
 from ..core.refusals import INFINITE
-from . import carrying, ground, legs
+from . import carrier, carrying, ground, legs
 from .properties import NUMBERS
 
 UNLIKE = 1e-4
@@ -36,8 +36,10 @@ MARGIN = 250.0
 """Frames after the scene's last one that are planned too: a foot that is lifted at the end of the scene touches down later."""
 EVERYWHERE = 1e6
 """Length, in metres, that the library is given for a leg of unknown length, so that the leg reaches everywhere."""
-SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
+SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down", "ankle", "heel", "toe"
 """Settings that are lengths in the body's space, which the body's scale multiplies; the library has arguments of these names."""
+SOLES = "strike", "push"
+"""Settings that have an effect only if feet turn with the ground."""
 BODY = "body_height", "body_tilt"
 """Settings that have an effect only if the walker has a body part that rises and leans."""
 SETTINGS = {
@@ -59,6 +61,7 @@ AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be perpendicula
 TOO_MANY = Problem("The walk has more than 1,000,000 steps: a longer stride, a slower body or a lower cadence has fewer")
 OUT_OF_RANGE = Problem("A setting is outside of what a walk can be planned by")
 UNKNOWN = Problem("The body's motion is not known ahead, and its feet do not step: record it, or key it", blocking=False)
+UNKNOWN_CARRIER = Problem("The carrier's motion is not known ahead, and feet do not step on it: record it, or key it", blocking=False)
 UNKEYED = Problem("The body was moved away from its keys: its feet stand below it until it is keyed here", blocking=False)
 UNRECORDED = Problem("The body is not where it was recorded, and its feet stand below it: record it again, here too", blocking=False)
 BEYOND = Problem("The walk is planned for the frames of the scene: here the feet stand", blocking=False)
@@ -72,6 +75,7 @@ PROBLEMS = (
     TOO_MANY,
     OUT_OF_RANGE,
     UNKNOWN,
+    UNKNOWN_CARRIER,
     UNKEYED,
     UNRECORDED,
     TOO_LONG,
@@ -106,7 +110,8 @@ class Numbers(NamedTuple):
     """Settings of a walker that the plan is made from, as numbers and tuples, so that they can be compared and hashed.
 
     values: of the settings properties.NUMBERS. rest, hips, lengths, phases: an item for each leg. plane: height of the plane, or None.
-    duty: 0 for the usual one of the gait. A length of 0 is for a leg that reaches everywhere.
+    duty: 0 for the usual one of the gait. A length of 0 is for a leg that reaches everywhere. turns: of the feet, in the body's space;
+    empty if feet do not turn with the ground.
     """
 
     gait: str
@@ -119,6 +124,7 @@ class Numbers(NamedTuple):
     hips: tuple
     lengths: tuple
     phases: tuple
+    turns: tuple
 
     def value(self, name):
         """Value of the setting of this name, one of properties.NUMBERS."""
@@ -130,7 +136,7 @@ class Plan(NamedTuple):
 
     walker: the native Walker. fault: the Problem to show, which does not keep the owner from walking, or None.
     known: (first, last) frame for which the walk is planned, see Poses. stamp: hashable value that changes with all that the plan
-    was made from. has_problems: whether walker.problems lists any footholds that cannot be reached.
+    was made from. has_problems: whether walker.problems lists any footholds that cannot be reached. turns: see Numbers.
     """
 
     walker: Any
@@ -138,6 +144,7 @@ class Plan(NamedTuple):
     known: tuple
     stamp: Any
     has_problems: bool
+    turns: tuple
 
 
 def of(owner, scene, numbers, frame=None):
@@ -150,13 +157,13 @@ def of(owner, scene, numbers, frame=None):
         return numbers
     fps = scene_time.fps(scene)
     poses, fault = body(owner, scene, fps)
-    beyond = None
+    beyond, is_standing = None, fault in {UNKNOWN, UNKNOWN_CARRIER}
     if poses is not None and frame is not None:
         if not poses.known[0] <= frame <= poses.known[1]:
             # A body that stands where the first or last sample has it, such as one that has arrived, is planned correctly.
             beyond = BEYOND if _differs(owner, poses.matrices[0 if frame < poses.known[0] else -1]) else None
         elif _may_be_elsewhere(owner, scene, frame) and _is_elsewhere(owner, poses, frame / fps):
-            poses, fault = _standing(owner), UNRECORDED if body_track(owner, scene).reason else UNKEYED
+            poses, fault, is_standing = _standing(owner), UNRECORDED if body_track(owner, scene).reason else UNKEYED, True
     if poses is None:
         return MOTION_NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
@@ -166,7 +173,29 @@ def of(owner, scene, numbers, frame=None):
     if isinstance(made, Problem):
         return made
     walker, has_problems = made
-    return Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems)
+    found = Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems, numbers.turns)
+    return found if carrier.of(owner.motus.walker) is None else _carried(found, owner, scene, is_standing)
+
+
+def _carried(planned, owner, scene, is_standing):
+    """Return a Plan that was made in the space of the owner's carrier, as a Plan in the world.
+
+    is_standing: whether the carrier counts as standing where it is now, since body or carrier are not where they are known to be.
+    """
+    if is_standing:
+        world = _matrix(carrier.of(owner.motus.walker))
+        return planned._replace(
+            walker=carrier.Carried(planned.walker, lambda times: np.broadcast_to(world, (len(times), 4, 4))),
+            stamp=(planned.stamp, world.tobytes()),
+        )
+    track, fps = carrier.track_of(owner, scene), scene_time.fps(scene)
+    return planned._replace(
+        walker=carrier.Carried(planned.walker, lambda times: track.values(times * fps)), stamp=(planned.stamp, track.stamp)
+    )
+
+
+def _matrix(obj):
+    return np.array(obj.matrix_world, float)
 
 
 def _kept(owner, stamp, make):
@@ -195,10 +224,12 @@ def read(settings):
     lengths = [0.0 if legs.stretches(owner, leg) else leg.length for leg in settings.legs]
     phases = [leg.phase for leg in settings.legs]
     # Without a part that rises and leans, the hips follow the owner alone.
-    stays = () if legs.body(owner) else BODY
+    stays = {*(() if legs.body(owner) else BODY), *(() if settings.use_soles else SOLES)}
+    turns = [tuple(leg.turn) for leg in settings.legs] if settings.use_soles else []
     values = tuple(0.0 if name in stays else getattr(settings, name) for name in NUMBERS)
     found: dict[str, Iterable[float]] = dict(zip(NUMBERS, ((number,) for number in values)))
-    found |= {"length": lengths, "phase": phases, "rest": itertools.chain(*rest), "hip": itertools.chain(*hips)}
+    found |= {"length": lengths, "phase": phases}
+    found |= {"rest": itertools.chain(*rest), "hip": itertools.chain(*hips), "turn": itertools.chain(*turns)}
     for name, numbers in found.items():
         if not all(abs(number) < INFINITE for number in numbers):
             return replace(NOT_FINITE, about=name)
@@ -213,6 +244,7 @@ def read(settings):
         tuple(hips),
         tuple(lengths),
         tuple(phases),
+        tuple(turns),
     )
 
 
@@ -221,14 +253,20 @@ def body_track(owner, scene):
     return tracks.world_track(owner, scene)
 
 
+def way_track(owner, scene):
+    """Return the motion of the object that walks in the space that its steps are planned in: the world, or the space of its carrier."""
+    carried_by = carrier.track_of(owner, scene)
+    return body_track(owner, scene) if carried_by is None else carrier.InSpace(body_track(owner, scene), carried_by)
+
+
 def body(owner, scene, fps):
     """Sample the motion of an evaluated owner; returns (Poses, Problem to show or None).
 
     The Poses are None if they are not finite. An owner whose motion is unknown, or that does not move, has a single sample.
     """
-    track = body_track(owner, scene)
+    track = way_track(owner, scene)
     if not track.is_known:
-        return _standing(owner), UNKNOWN
+        return _standing(owner), UNKNOWN if not body_track(owner, scene).is_known else UNKNOWN_CARRIER
     stamp = track.stamp
     # The extent may take longer to find than the stamp: it is kept until the stamp changes.
     extent = tracks.kept_by(stamp, "walker", lambda: track.extent)
@@ -247,7 +285,7 @@ def body(owner, scene, fps):
 def is_moved(owner, scene):
     """Whether the world matrix of an evaluated owner is known to change over time; false if its motion is unknown."""
     poses, fault = body(owner, scene, scene_time.fps(scene))
-    return fault != UNKNOWN and (poses is None or len(poses.seconds) > 1)
+    return fault not in {UNKNOWN, UNKNOWN_CARRIER} and (poses is None or len(poses.seconds) > 1)
 
 
 def _may_be_elsewhere(owner, scene, frame):
@@ -255,7 +293,7 @@ def _may_be_elsewhere(owner, scene, frame):
 
     To move it makes a new evaluated copy. If nothing but keys moves the owner, they set it again on the next other frame.
     """
-    if not body_track(owner, scene).rests_on_keys:
+    if not way_track(owner, scene).rests_on_keys:
         return True
     kept = _KEPT.on(copies.of(owner))
     if "frame" not in kept:
@@ -281,12 +319,18 @@ def _is_elsewhere(owner, poses, seconds):
 def _differs(owner, known):
     """Whether the world matrix of an evaluated owner differs from a known one, (4, 4), by more than UNLIKE."""
     numbers = known.ravel().tolist()
-    apart = [abs(one - other) for one, other in zip(itertools.chain(*owner.matrix_world), numbers)]
+    apart = [abs(one - other) for one, other in zip(_present(owner).ravel().tolist(), numbers)]
     return max(apart) > UNLIKE * max(1.0, *map(abs, numbers))
 
 
+def _present(owner):
+    """Matrix (4, 4) of an evaluated owner now, in the world or in the space of its carrier."""
+    carried_by = carrier.of(owner.motus.walker)
+    return _matrix(owner) if carried_by is None else carrier.in_space(_matrix(carried_by)[None], _matrix(owner)[None])[0]
+
+
 def _standing(owner):
-    samples = _digested(np.zeros(1), np.array(owner.matrix_world, float)[None])
+    samples = _digested(np.zeros(1), _present(owner)[None])
     return samples and Poses(*samples, EVER)  # type: ignore[call-arg]
 
 
@@ -355,6 +399,9 @@ def _made(numbers, poses, placed, bodies):
             damping=numbers.value("damping"),
             height=numbers.value("body_height"),
             tilt=numbers.value("body_tilt"),
+            forward=numbers.forward,
+            strike=numbers.value("strike"),
+            push=numbers.value("push"),
             **given,
         )
     except ValueError as error:

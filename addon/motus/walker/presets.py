@@ -1,5 +1,7 @@
 """Presets of walks: those that Motus brings, and those that users save."""
 
+import math
+
 from ..core.declare import is_owner, registered
 from ..core.interface import presets
 from ..core.interface.presets import Preset
@@ -13,6 +15,10 @@ OF_THE_SHOT = {
     "minimum_step",
     "reach_up",
     "reach_down",
+    "ankle",
+    "use_soles",
+    "heel",
+    "toe",
     "jump",
     "forward_axis",
     "up_axis",
@@ -47,6 +53,36 @@ BROUGHT = (
         "Camel",
         "The legs of a side go together, and the body rolls",
         {"gait": 'PACE', "frequency": 1.5, "damping": 0.5, "body_tilt": 1.0},
+    ),
+    Preset(
+        'WALK',
+        "Walk",
+        "Somebody on two legs, or a horse at its ease",
+        {"gait": 'WALK', "frequency": 3.0, "body_tilt": 0.0},
+    ),
+    Preset(
+        'RUN',
+        "Run",
+        "All feet are in the air between steps, and the heels hardly strike",
+        {"gait": 'RUN', "cadence": 1.3, "frequency": 3.0, "body_tilt": 0.0, "strike": math.radians(8.0), "push": math.radians(65.0)},
+    ),
+    Preset(
+        'CANTER',
+        "Canter",
+        "Three beats and a moment in the air, and the body rocks",
+        {"gait": 'CANTER', "cadence": 1.6, "frequency": 2.0, "damping": 0.6, "body_tilt": 0.6},
+    ),
+    Preset(
+        'GALLOP',
+        "Gallop",
+        "Four quick beats, and long in the air",
+        {"gait": 'GALLOP', "cadence": 2.2, "frequency": 2.5, "damping": 0.6, "body_tilt": 0.5},
+    ),
+    Preset(
+        'HOP',
+        "Hop",
+        "All feet together, as kangaroos and birds go",
+        {"gait": 'HOP', "cadence": 1.8, "frequency": 2.5, "damping": 0.7, "body_tilt": 0.5},
     ),
     Preset(
         'MACHINE',

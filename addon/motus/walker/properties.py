@@ -1,5 +1,6 @@
 """Settings of walkers: the property group Object.motus.walker of the object that the artist moves."""
 
+import math
 from functools import partial
 
 import bpy
@@ -12,7 +13,7 @@ from . import ground
 
 MOST_LEGS = 64
 
-GAITS = (
+_GAITS = (
     ('TETRAPOD', "Tetrapod", "Every second leg of a side with the others of the other side, as spiders go"),
     (
         'TRIPOD',
@@ -24,7 +25,15 @@ GAITS = (
     ('TROT', "Trot", "Diagonal halves take turns"),
     ('PACE', "Pace", "Left and right legs take turns"),
     ('OWN', "Custom", "The phase of each leg is a setting of its own"),
+    ('WALK', "Walk", "Left and right in turn on two legs; on four each hind leg, then the fore leg of its side"),
+    ('RUN', "Run", "As Trot, or left and right on two legs, with all feet in the air in between"),
+    ('CANTER', "Canter", "Three beats: a hind leg, a diagonal, and the fore leg that leads"),
+    ('GALLOP', "Gallop", "Four beats: both hind legs, both fore legs, and all in the air"),
+    ('HOP', "Hop", "All legs together"),
 )
+_LAST = 'OWN'
+GAITS = tuple(sorted(((*gait, '', number) for number, gait in enumerate(_GAITS)), key=lambda gait: gait[0] == _LAST))
+"""Items of the setting Gait, as the menu shows them. The number of each is what files hold."""
 
 
 _number = partial(number, tells_no_keys=True)
@@ -33,6 +42,10 @@ _factor = partial(factor, tells_no_keys=True)
 
 def _length(name, description, default, **more):
     return _number(name, description, default, min=0.0, soft_max=2.0, subtype='DISTANCE', **more)
+
+
+def _angle(name, description, degrees):
+    return _number(name, description, math.radians(degrees), min=0.0, max=math.radians(90.0), subtype='ANGLE')
 
 
 class WalkerKeywords:
@@ -64,6 +77,16 @@ class WalkerKeywords:
     damping: _number(
         "Damping", "Damping of the body over its feet; below 1 the body overshoots and swings", 1.0, min=0.0, max=100.0, soft_max=2.0
     )
+    ankle: _length("Ankle", "How high the feet's origins are above the ground that they stand on", 0.0)
+    use_soles: switch(
+        "Soles",
+        "Turn feet with the ground, and roll them over heel and toe; their rest positions tell where they point",
+        update=rewire,
+    )
+    heel: _length("Heel", "How far behind the feet's origins their heels are", 0.05)
+    toe: _length("Toe", "How far ahead of the feet's origins their toes are", 0.15)
+    strike: _angle("Heel Strike", "How far the toes are up when the heels touch the ground; less in short steps", 20.0)
+    push: _angle("Toe Push", "How far the heels are up when the toes leave the ground; less in short steps", 50.0)
     jump: _number(
         "Jump",
         "A body that goes further than this from one frame to the next jumps, and its feet with it; 0 takes four strides",
@@ -91,6 +114,11 @@ NUMBERS = (
     "body_tilt",
     "frequency",
     "damping",
+    "ankle",
+    "heel",
+    "toe",
+    "strike",
+    "push",
     "jump",
 )
 """Names of the number settings that the plan is made from. A script can give them values that are not finite."""
@@ -110,6 +138,13 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
     )
     foot: to_object(name="Foot", description="Object that is the foot", update=rewire, override=OVERRIDABLE)
     rest: _numbers("Rest", "Position of the foot, in the body's space, if the body stands on level ground")
+    turn: vector(
+        "Turn",
+        "Rotation of the foot, in the body's space, if the body stands on level ground",
+        4,
+        default=(1.0, 0.0, 0.0, 0.0),
+        subtype='QUATERNION',
+    )
     hip: _numbers("Hip", "Position where the leg begins, in the body's space")
     length: _length("Length", "Length of the whole leg, before the body's scale; 0 for a leg that reaches everywhere", 0.0)
     phase: _factor("Phase", "Position of the leg in the cycle: legs of the same phase step together", 0.0)
@@ -135,6 +170,13 @@ class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):
         'MESH',
         name="Ground",
         description="Mesh object that the feet stand on",
+        update=rewire,
+        override=OVERRIDABLE,
+        also=lambda _settings, obj: not ground.is_walking(obj),
+    )
+    carrier: to_object(
+        name="Carrier",
+        description="Object that carries body and ground, such as a ship, a lift or a turntable: feet stand on the meshes that hang on it",
         update=rewire,
         override=OVERRIDABLE,
         also=lambda _settings, obj: not ground.is_walking(obj),

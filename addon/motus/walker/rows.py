@@ -24,6 +24,7 @@ GAIT = Rows(
     title="Gait",
 )
 GROUND = Rows(("use_plane", Row("plane_height", when=_is_on("use_plane")), "reach_up", "reach_down"), title="Ground")
+SOLES = Rows(("ankle", "use_soles", *(Row(name, when=_is_on("use_soles")) for name in ("heel", "toe", "strike", "push"))), title="Soles")
 BODY = Rows(("body_height", "body_tilt", "frequency", "damping"), title="Body")
 WHOLE = Rows(("forward_axis", "up_axis", "jump", "influence"), title="Walker")
-ALL = (GAIT, GROUND, BODY, WHOLE)
+ALL = (GAIT, GROUND, SOLES, BODY, WHOLE)

@@ -30,9 +30,9 @@ class Leg(NamedTuple):
     hip: Vector
     length: float
 
-    def place(self, owner):
-        """Place of the foot, in world space. owner: object that walks; owner and foot are both original or both evaluated."""
-        return owner.matrix_world @ owner.pose.bones[self.bone].head if self.bone else self.foot.matrix_world.translation
+    def matrix(self, owner):
+        """World matrix of the foot. owner: object that walks; owner and foot are both original or both evaluated."""
+        return owner.matrix_world @ owner.pose.bones[self.bone].matrix if self.bone else self.foot.matrix_world
 
 
 def system():
@@ -55,13 +55,14 @@ def attach(context, owner, found, body, changes):
         settings.legs.clear()
         for leg, rest in zip(found, rests):
             entry = settings.legs.add()
-            entry.name, entry.foot, entry.rest, entry.hip, entry.length = leg.bone, leg.foot, rest, leg.hip, leg.length
+            entry.name, entry.foot, entry.hip, entry.length = leg.bone, leg.foot, leg.hip, leg.length
+            _set_rest(entry, rest)
             entry.phase = phases.get((leg.bone, leg.foot), 0.0)
         if owner.pose:
             settings.body_bone = body or ""
         else:
             settings.body = body
-    change(owner, changes if was_active else lengths(rests) | changes)
+    change(owner, changes if was_active else lengths([rest.translation for rest in rests]) | changes)
     _forget_others()
 
 
@@ -88,8 +89,13 @@ def wire(owner):
         wiring.attach(system(), owner)
 
 
+def _set_rest(entry, rest):
+    """Let a foot belong where a matrix, in the owner's space, has it. entry: settings of the leg."""
+    entry.rest, entry.turn = rest.translation, rest.to_quaternion()
+
+
 def _own_rests(context, owner, found):
-    """List the places of feet by their own transforms, without the walk, in the owner's space.
+    """List the matrices of feet by their own transforms, without the walk, in the owner's space.
 
     found: the legs, as Leg. The walker's constraints are muted during the measurement.
     """
@@ -101,7 +107,7 @@ def _own_rests(context, owner, found):
         depsgraph = context.view_layer.depsgraph
         evaluated = owner.evaluated_get(depsgraph)
         inverse = evaluated.matrix_world.inverted_safe()
-        return [inverse @ leg._replace(foot=leg.foot and leg.foot.evaluated_get(depsgraph)).place(evaluated) for leg in found]
+        return [inverse @ leg._replace(foot=leg.foot and leg.foot.evaluated_get(depsgraph)).matrix(evaluated) for leg in found]
     finally:
         if is_active:
             wiring.set_muted(system(), owner, False)
@@ -120,7 +126,7 @@ def take_rests(context, owner):
     feet = legs.feet(owner)
     found = [Leg(entries_of[foot.index].name, pointed(entries_of[foot.index], "foot"), Vector(), 0.0) for foot in feet]
     for foot, rest in zip(feet, _own_rests(context, owner, found)):
-        owner.motus.walker.legs[foot.index].rest = rest
+        _set_rest(owner.motus.walker.legs[foot.index], rest)
     return len(feet)
 
 

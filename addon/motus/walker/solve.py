@@ -10,7 +10,8 @@ from ..core.declare import Geometries, Problem
 from ..core.evaluated.shares import waits_for_all
 from ..core.file.stored import Damaged
 from ..core.lazy import numpy as np
-from . import ground, groups, leaning, legs, plan, shared
+from ..core.tracks import rotations
+from . import ground, groups, leaning, legs, plan, shared, soles
 
 LOOPED = Problem("The body or the ground moves with what the walker drives: what would wait for itself is left alone", blocking=False)
 LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)
@@ -63,6 +64,8 @@ def solve(context, awaited):
     if context.group == groups.BODY:
         return _lean(context, found.walker, seconds)
     _stand(context, found.walker.feet(seconds), noted)
+    if found.turns:
+        _turn(context, soles.turned(found, seconds), noted)
     return _fault(found, noted)
 
 
@@ -90,6 +93,17 @@ def _stand(context, places, noted):
     if len(bones):
         inverse = np.array(context.owner.matrix_world.inverted_safe(), float)
         context.locations[bones] = context.locations[bones] @ inverse[:3, :3].T + inverse[:3, 3]
+
+
+def _turn(context, turns, noted):
+    """Write the turns of the feet into the context: in world space for objects, in the armature's space for bones.
+
+    turns: (legs, 4), world space. noted: the groups.Noted of this group, which fits them.
+    """
+    context.rotations[:] = turns[noted.legs]
+    if len(noted.bones):
+        inverse = np.array(context.owner.matrix_world.to_quaternion().inverted())[None]
+        context.rotations[noted.bones] = rotations.product(inverse, context.rotations[noted.bones])
 
 
 def _lean(context, walker, seconds):

@@ -223,6 +223,14 @@ def _check_free(owner, obj):
         raise Refused(tr("{object} is part of {leader}, which walks already").format(object=obj.name, leader=leader.name))
 
 
+def carrier_for(name, owner):
+    """Return the object of this name as the carrier of a walker's ground. Raises Refused if there is none, or if it moves with a walker."""
+    found = named(name)
+    if found == owner or ground.is_walking(found):
+        raise Refused(tr("{object} walks itself, and carries no ground").format(object=found.name))
+    return found
+
+
 def ground_for(name, owner):
     """Return the mesh object of this name as ground. Raises Refused if there is none, or if it moves with a walker."""
     found = named_mesh(name)

@@ -66,7 +66,9 @@ using EmitterShapeName =
     Typed<"typing.Literal['square', 'disc', 'box', 'sphere', 'cone', 'surface', 'frustum']">;
 using CollisionName = Typed<"typing.Literal['stay', 'slide', 'melt']">;
 using StereoModeName = Typed<"typing.Literal['off_axis', 'parallel', 'toe_in']">;
-using GaitName = Typed<"typing.Literal['tripod', 'tetrapod', 'ripple', 'wave', 'trot', 'pace']">;
+using GaitName = Typed<
+    "typing.Literal['tripod', 'tetrapod', 'ripple', 'wave', 'trot', 'pace', 'walk', 'run', 'canter', "
+    "'gallop', 'hop']">;
 using InheritScaleName =
     Typed<"typing.Literal['FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE', 'NONE_LEGACY']">;
 using DistanceName = Typed<"typing.Literal['straight', 'surface', 'edges']">;

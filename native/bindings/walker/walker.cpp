@@ -51,7 +51,12 @@ constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns,
                                       {"ripple", Gait::ripple},
                                       {"wave", Gait::wave},
                                       {"trot", Gait::trot},
-                                      {"pace", Gait::pace}});
+                                      {"pace", Gait::pace},
+                                      {"walk", Gait::walk},
+                                      {"run", Gait::run},
+                                      {"canter", Gait::canter},
+                                      {"gallop", Gait::gallop},
+                                      {"hop", Gait::hop}});
     const walker::Pattern pattern = walker::pattern_of(wanted, points_argument(rest, "rest"),
                                                        vector(forward, "forward"), vector(up, "up"));
     return py::make_tuple(array_of(pattern.phases), pattern.duty);
@@ -103,7 +108,9 @@ struct WayArguments {
                                const OptionalArrayLike& hips, const OptionalArrayLike& lengths,
                                const OptionalArrayLike& bodies, const OptionalWholeNumbers& resets,
                                const OptionalNumber& jump, const Number& frequency, const Number& damping,
-                               const Number& response, const Number& height, const Number& tilt) {
+                               const Number& response, const Number& height, const Number& tilt,
+                               const ArrayLike& forward, const Number& ankle, const Number& heel,
+                               const Number& toe, const Number& strike, const Number& push) {
     walker::Way way = way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump});
     walker::WalkSettings settings;
     settings.clearance = number(clearance, "clearance");
@@ -117,6 +124,8 @@ struct WayArguments {
                        number(response, "response")};
     settings.height = number(height, "height");
     settings.tilt = number(tilt, "tilt");
+    settings.soles = {vector(forward, "forward"), number(ankle, "ankle"),   number(heel, "heel"),
+                      number(toe, "toe"),         number(strike, "strike"), number(push, "push")};
     const Ground* on =
         ground.is_none() ? nullptr : &instance<Ground>(ground, "ground", "a WalkerGround or None");
     const py::gil_scoped_release released;
@@ -236,20 +245,26 @@ body follows its feet.  resets: rising indices of samples to which the body jump
 it does if a rest place moves further than `jump`, > 0, from one sample to the next; None: 4 strides.
 frequency, damping, response: the SecondOrder of the body's height and tilt, which follow the plane of its feet; height,
 tilt, [0, 1]: share of each that the body follows.
+forward: of the feet, in the body's space, of which the part across up counts.  ankle, >= 0: height of a foot's place above the ground under its
+sole.  heel, toe, >= 0: how far behind and ahead of a foot's place its sole rolls.  strike, push, rad, [0, pi/2]: how much the toe
+is up when a heel touches down, and the heel when a toe lifts; less in steps shorter than the stride, the other way round in
+steps that go backwards.
 Raises ValueError or TypeError that names the argument, also if more than 1,000,000 steps would be planned.)")
         .def(py::init(&walker_of), "times"_a, "poses"_a, "rest"_a, "ground"_a = py::none(), py::kw_only(),
              "phases"_a, "duty"_a = 0.5, "stride"_a = 0.5, "cadence"_a = 1.0, "clearance"_a = 0.1,
              "reach_up"_a = 0.5, "reach_down"_a = 1.0, "minimum_step"_a = 0.0,
              "up"_a = py::make_tuple(0.0, 0.0, 1.0), "hips"_a = py::none(), "lengths"_a = py::none(),
              "bodies"_a = py::none(), "resets"_a = py::none(), "jump"_a = py::none(), "frequency"_a = 2.0,
-             "damping"_a = 1.0, "response"_a = 0.0, "height"_a = 1.0, "tilt"_a = 1.0)
+             "damping"_a = 1.0, "response"_a = 0.0, "height"_a = 1.0, "tilt"_a = 1.0,
+             "forward"_a = py::make_tuple(0.0, 1.0, 0.0), "ankle"_a = 0.0, "heel"_a = 0.0, "toe"_a = 0.0,
+             "strike"_a = 0.0, "push"_a = 0.0)
         .def(
             "feet",
             [](const Walker& self, const ArrayLike& times) {
                 return vectors_at(self, times, &walker::Foot::position);
             },
             "times"_a, R"(
-Positions of the feet at times, s, a number or (m,): (n, 3) or (m, n, 3). While a foot stands its position has the same bits.)")
+Positions of the feet at times, s, a number or (m,): (n, 3) or (m, n, 3). While a sole lies flat its position has the same bits.)")
         .def(
             "normals",
             [](const Walker& self, const ArrayLike& times) {
@@ -257,6 +272,17 @@ Positions of the feet at times, s, a number or (m,): (n, 3) or (m, n, 3). While 
             },
             "times"_a, R"(
 Unit normals of the ground under the feet, (n, 3) or (m, n, 3); during a swing they turn from one foothold's normal to the next.)")
+        .def(
+            "turns",
+            [](const Walker& self, const ArrayLike& times) {
+                return feet_at(self, times, 4, [](const walker::Foot& foot, double* row) {
+                    row[0] = foot.turn.w;
+                    for (int axis = 0; axis < 3; ++axis) row[axis + 1] = foot.turn[axis];
+                });
+            },
+            "times"_a, R"(
+Rotations of the soles from the body's space to the world, w, x, y, z, (n, 4) or (m, n, 4): flat on the ground, the heading that
+of the body at the middle of the stand, rolled over heel and toe, or in a swing between.)")
         .def(
             "swing",
             [](const Walker& self, const ArrayLike& times) {
@@ -296,7 +322,9 @@ When the legs of a gait swing: (phases (n,), [0, 1), duty): leg i swings while f
 
 gait: 'tripod', neighbours alternate; 'tetrapod', neighbours alternate, and all stand for a moment in between: L1 R2 L3 R4 | R1 L2 R3 L4; 'ripple',
 on each side from the back to the front, the sides about half a cycle apart; 'wave', one after the other; 'trot', the front
-half of a side with the rear half of the other; 'pace', all left legs, then all right legs.
+half of a side with the rear half of the other; 'pace', all left legs, then all right legs; 'walk', on each side from the
+back to the front, the sides half a cycle apart; 'run', as a trot with all feet in the air in between; 'canter', three beats, the
+left side leads; 'gallop', four beats, the left side leads; 'hop', all together.
 rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
 Raises ValueError or TypeError that names the argument.)");
     py::class_<Ground, std::shared_ptr<Ground>>(m, "WalkerGround", py::module_local(), R"(

@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <utility>
 
+#include "across.hpp"
 #include "motus/core/numeric.hpp"
 #include "motus/walker/gait.hpp"
 
@@ -60,18 +61,6 @@ void check(const Way& way) {
     way.up = unit_vector(way.up);
     for (double& phase : way.phases) phase -= std::floor(phase);
     return way;
-}
-
-[[nodiscard]] glm::dvec3 axis_across(const glm::dvec3& v) {
-    return std::abs(v.x) <= std::abs(v.y) && std::abs(v.x) <= std::abs(v.z) ? glm::dvec3(1.0, 0.0, 0.0)
-           : std::abs(v.y) <= std::abs(v.z)                                 ? glm::dvec3(0.0, 1.0, 0.0)
-                                                                            : glm::dvec3(0.0, 0.0, 1.0);
-}
-
-/// The part of `v` across a unit vector, unit; a fixed choice if v has no such part.
-[[nodiscard]] glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& up) {
-    const glm::dvec3 otherwise = unit_vector(glm::cross(axis_across(up), up));
-    return direction_or(v - up * glm::dot(v, up), otherwise);
 }
 
 /// A column of a pose between two, `share` of the way.

@@ -57,14 +57,25 @@ struct Seats {
 [[nodiscard]] double delay_of(Gait gait, const Seat& seat, const Seats& seats) {
     const auto rows = static_cast<double>(seats.rows);
     const auto from_back = static_cast<double>(seats.on_side.at(seat.side) - 1 - seat.row);
+    const std::size_t half = 2 * seat.row / seats.rows;  // 0 the front one
+    const bool leads = seat.side == 0;
     switch (gait) {
         case Gait::tripod:
         case Gait::tetrapod:
             return (seat.row + seat.side) % 2 == 0 ? 0.0 : 0.5;
         case Gait::trot:
-            return (2 * seat.row / seats.rows + seat.side) % 2 == 0 ? 0.0 : 0.5;
+        case Gait::run:
+            return (half + seat.side) % 2 == 0 ? 0.0 : 0.5;
         case Gait::pace:
             return seat.side == 0 ? 0.0 : 0.5;
+        case Gait::walk:
+            return 0.5 * from_back / rows + (seat.side == 0 ? 0.0 : 0.5);
+        case Gait::canter:
+            return (half == 0 ? 0.3 : 0.0) + (leads ? 0.3 : 0.0);
+        case Gait::gallop:
+            return half == 0 ? (leads ? 0.5 : 0.3) : (leads ? 0.1 : 0.0);
+        case Gait::hop:
+            return 0.0;
         case Gait::ripple: {
             // With an even number of rows half a lag more, so that no two legs lift together.
             const double apart = seats.rows % 2 == 0 ? 0.5 + 0.5 / rows : 0.5;
@@ -87,6 +98,15 @@ struct Seats {
             return 0.5;
         case Gait::tetrapod:
             return 0.6;
+        case Gait::walk:
+            return seats.rows == 1 ? 0.6 : 0.65;
+        case Gait::run:
+        case Gait::canter:
+            return 0.35;
+        case Gait::hop:
+            return 0.4;
+        case Gait::gallop:
+            return 0.3;
         case Gait::ripple:
             return std::clamp(1.0 - 1.0 / static_cast<double>(seats.rows), 0.5, most_duty);
         case Gait::wave:

@@ -29,6 +29,12 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
     return search;
 }
 
+/// A place above the ground that is met, if any is.
+[[nodiscard]] std::optional<Contact> raised(std::optional<Contact> met, double ankle) {
+    if (met && ankle > 0.0) met->point += ankle * met->normal;
+    return met;
+}
+
 [[nodiscard]] double expected_steps(const BodyTrajectory& trajectory) {
     // At both ends of a stretch there may be one more than there are cycles, and one is if the foot is
     // put.
@@ -52,6 +58,7 @@ Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory,
       trajectory_(trajectory),
       ground_(ground != nullptr && !ground->is_empty() ? ground : nullptr),
       reach_{settings.reach_up, settings.reach_down},
+      soles_(settings.soles, trajectory.way().up),
       executor_(std::move(executor)),
       hips_(settings.hips) {
     require(expected_steps(trajectory) <= most_steps,
@@ -76,13 +83,17 @@ void Planner::for_legs(const Work& work) const {
     in_parts(legs, grain, part, executor_);
 }
 
+std::optional<Contact> Planner::foothold(const Search& search) const {
+    return raised(footing(*ground_, search, reach_), settings_.soles.ankle);
+}
+
 void Planner::find_place(Footfall& fall) const {
     fall.place = {fall.search.rest, fall.search.up, 0.0};
     if (ground_ == nullptr) return;
-    std::optional<Contact> place = footing(*ground_, fall.search, reach_);
+    std::optional<Contact> place = foothold(fall.search);
     for (const double share : nearer)
-        if (!place) place = footing(*ground_, moved_nearer(fall.search, share), reach_);
-    if (!place) place = footing_around_edge(*ground_, fall.search, reach_);
+        if (!place) place = foothold(moved_nearer(fall.search, share));
+    if (!place) place = raised(footing_around_edge(*ground_, fall.search, reach_), settings_.soles.ankle);
     fall.is_grounded = place.has_value();
     if (place) fall.place = *place;
 }
@@ -110,8 +121,9 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
         fall.until = trajectory_.time_at(stretch, lift + 1.0);
         if (is_slow) fall.lift = std::max(fall.lift, begin);
         const double middle = trajectory_.time_at(stretch, lift + 1.0 - 0.5 * way.duty);
-        const glm::dmat4 pose = trajectory_.pose(stretch, middle);
-        fall.search = {in_world(pose, way.rest[leg]), in_world(pose, hips_[leg]), trajectory_.axes(pose).up};
+        fall.pose = trajectory_.pose(stretch, middle);
+        fall.search = {in_world(fall.pose, way.rest[leg]), in_world(fall.pose, hips_[leg]),
+                       trajectory_.axes(fall.pose).up};
         find_place(fall);
         falls.push_back(fall);
     }
@@ -131,16 +143,20 @@ std::vector<Footstep> Planner::steps_of(const Footfalls& falls, bool looks_for_o
         step.touch = fall.touch;
         step.end = fall.place.point;
         step.end_normal = fall.place.normal;
+        step.end_turn = soles_.flat(fall.pose, fall.place.normal);
         step.is_grounded = fall.is_grounded;
         step.start = before != nullptr ? before->place.point : step.end;
         step.start_normal = before != nullptr ? before->place.normal : step.end_normal;
+        step.start_turn = before != nullptr ? steps.back().end_turn : step.end_turn;
         if (before != nullptr) {
             const double length = length_of(step.end - step.start);
             if (length <= least) continue;
             const glm::dvec3 up = direction_or(before->search.up + fall.search.up, fall.search.up);
-            const Clearing over = looks_for_obstacles && ground_ != nullptr
-                                      ? clearing(*ground_, step.start, step.end, up, settings_.reach_up)
-                                      : Clearing{};
+            const Clearing over =
+                looks_for_obstacles && ground_ != nullptr
+                    ? clearing(*ground_, step.start - settings_.soles.ankle * step.start_normal,
+                               step.end - settings_.soles.ankle * step.end_normal, up, settings_.reach_up)
+                    : Clearing{};
             const double share = std::min(1.0, length / (full_step * trajectory_.way().stride));
             step.rise = (settings_.clearance * share + over.rise) * up;
             step.upwards = over.upwards;
@@ -149,6 +165,7 @@ std::vector<Footstep> Planner::steps_of(const Footfalls& falls, bool looks_for_o
         steps.push_back(step);
         before = &fall;
     }
+    soles_.add_rolls(steps, trajectory_.way().stride, trajectory_.way().duty);
     return steps;
 }
 
@@ -241,7 +258,7 @@ bool Planner::move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls
     for (Footfall& fall : falls) {
         if (!is_missed(leg, stretch, fall.place.point, fall.touch, fall.until)) continue;
         for (const double share : nearer) {
-            const auto place = footing(*ground_, moved_nearer(fall.search, share), reach_);
+            const auto place = foothold(moved_nearer(fall.search, share));
             if (!place || is_missed(leg, stretch, place->point, fall.touch, fall.until)) continue;
             fall.place = *place;
             fall.is_grounded = true;

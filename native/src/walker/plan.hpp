@@ -1,11 +1,14 @@
 // Makes the plan of a shot. Private to the library.
 #pragma once
 #include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <optional>
 #include <vector>
 
 #include "footing.hpp"
 #include "motus/core/executor.hpp"
 #include "motus/walker/walker.hpp"
+#include "sole.hpp"
 
 namespace motus::walker {
 
@@ -35,6 +38,7 @@ class Planner {
         Search search;
         Contact place;
         bool is_grounded = true;
+        glm::dmat4 pose{1.0};  ///< of the body in the middle of the stand
     };
     /// Footfalls of a leg on one stretch; at the first one the foot is put.
     using Footfalls = std::vector<Footfall>;
@@ -47,6 +51,8 @@ class Planner {
     }
     [[nodiscard]] Footfalls footfalls(std::size_t leg, std::size_t stretch) const;
     void find_place(Footfall& fall) const;
+    /// Where a foot is that stands on the ground that is found, its ankle above the sole.
+    [[nodiscard]] std::optional<Contact> foothold(const Search& search) const;
     /// Moves footholds that are out of reach nearer to the hip. Returns whether there were any that could be
     /// moved.
     [[nodiscard]] bool move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
@@ -76,6 +82,7 @@ class Planner {
     const BodyTrajectory& trajectory_;
     const Ground* ground_;  ///< none if it is empty
     Reach reach_;
+    SoleFrame soles_;
     Executor executor_;
     std::vector<glm::dvec3> hips_;           ///< the settings', or the middle of all feet for each leg
     std::vector<Footfalls> falls_;           ///< by row()

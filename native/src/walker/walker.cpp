@@ -7,6 +7,7 @@
 #include "motus/core/ieee_floats.hpp"
 #include "motus/core/numeric.hpp"
 #include "plan.hpp"
+#include "sole.hpp"
 
 namespace motus::walker {
 namespace {
@@ -20,11 +21,27 @@ constexpr double largest_number = 1e12;
     return value >= 0.0 && value <= 1.0;
 }
 
+[[nodiscard]] bool is_pitch(double value) {
+    constexpr double upright = 1.5707963267948966;
+    return value >= 0.0 && value <= upright;
+}
+
 [[nodiscard]] bool is_place(const glm::dvec3& place) {
     return is_finite(place) && is_length(length_of(place));
 }
 
-[[nodiscard]] WalkSettings checked(WalkSettings settings, std::size_t legs, std::size_t samples) {
+void check(const Soles& soles) {
+    require(is_finite(soles.forward), "forward: must be finite");
+    require(is_length(soles.ankle), "ankle: must be from 0 to 1e12");
+    require(is_length(soles.heel), "heel: must be from 0 to 1e12");
+    require(is_length(soles.toe), "toe: must be from 0 to 1e12");
+    require(is_pitch(soles.strike), "strike: must be from 0 to pi/2");
+    require(is_pitch(soles.push), "push: must be from 0 to pi/2");
+}
+
+[[nodiscard]] WalkSettings checked(WalkSettings settings, const Way& way) {
+    const std::size_t legs = way.rest.size(), samples = way.times.size();
+    check(settings.soles);
     require(is_length(settings.clearance), "clearance: must be from 0 to 1e12");
     require(is_length(settings.reach_up), "reach_up: must be from 0 to 1e12");
     require(is_length(settings.reach_down), "reach_down: must be from 0 to 1e12");
@@ -50,7 +67,7 @@ constexpr double largest_number = 1e12;
 
 Walker::Walker(Way way, WalkSettings settings, const Ground* ground, const Executor& executor)
     : trajectory_(in_ieee_floats([&] { return BodyTrajectory(std::move(way)); })),
-      settings_(checked(std::move(settings), leg_count(), trajectory_.way().times.size())) {
+      settings_(checked(std::move(settings), trajectory_.way())) {
     WalkPlan plan = in_ieee_floats([&] { return Planner(settings_, trajectory_, ground, executor).plan(); });
     steps_ = std::move(plan.steps);
     leans_ = std::move(plan.leans);
@@ -63,14 +80,16 @@ Foot Walker::foot(std::size_t leg, double time) const {
     require(std::isfinite(time), "time: must be finite");
     return in_ieee_floats([&] {
         const std::size_t row = leg * trajectory_.stretch_count() + trajectory_.stretch_at(time);
-        const Footstep& step = step_at(steps_.of(row), time);
+        const std::span<const Footstep> steps = steps_.of(row);
+        const Footstep& step = step_at(steps, time);
+        const bool is_last = &step == &steps.back();
+        const SolePose sole =
+            SoleFrame(settings_.soles, trajectory_.way().up).at(step, is_last ? nullptr : &step + 1, time);
         const double through = step.through(time);
-        // Before and after a step the position is exactly the stored foothold.
-        if (through >= 1.0) return Foot{step.end, step.end_normal, 0.0};
+        if (through >= 1.0) return Foot{sole.position, step.end_normal, 0.0, sole.turn};
         const double share = step.share(through);
         const glm::dvec3 normal = step.start_normal + share * (step.end_normal - step.start_normal);
-        const glm::dvec3 place = share >= 1.0 ? step.end : step.start + share * (step.end - step.start);
-        return Foot{place + above(through) * step.rise, direction_or(normal, step.end_normal), through};
+        return Foot{sole.position, direction_or(normal, step.end_normal), through, sole.turn};
     });
 }
 

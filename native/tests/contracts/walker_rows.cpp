@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "contracts/meshes.hpp"
 #include "contracts/row.hpp"
 #include "contracts/samples.hpp"
@@ -19,7 +21,7 @@ auto fields(Declared, T& v) {
 }
 template <Some<walker::Foot> T>
 auto fields(Declared, T& v) {
-    return std::tie(v.position, v.normal, v.swing);
+    return std::tie(v.position, v.normal, v.swing, v.turn);
 }
 template <Some<walker::Correction> T>
 auto fields(Declared, T& v) {
@@ -274,10 +276,14 @@ void add_walkers(Table& table) {
     settings.hips = {{0.2, 0.2, 0.0}, {-0.2, 0.2, 0.0}};
     settings.lengths = {1.0, 1.0};
     settings.bodies.assign(4, glm::dmat4(1.0));
+    const Soles soles{{0.0, 1.0, 0.0}, 0.1, 0.1, 0.2, 0.3, 0.8};
+    const Domain pitch = from(0.0, 0.5 * std::numbers::pi).in_words("0 to π/2");
     add(
         table, "walker::Walker::Walker(way, settings, ground, executor)",
-        [](const Way& given, const WalkSettings& by) {
-            const Walker made(given, by, nullptr, 1);
+        [](const Way& given, const WalkSettings& by, const Soles& on) {
+            WalkSettings all = by;
+            all.soles = on;
+            const Walker made(given, all, nullptr, 1);
             return std::tuple(made.foot(0, 0.7), made.body(0.7), made.phase(0.7), made.settled());
         },
         way(),
@@ -290,7 +296,10 @@ void add_walkers(Table& table) {
            member("bodies", &WalkSettings::bodies, affine(), as_many_or_none("`times`")),
            member("lengths", &WalkSettings::lengths, size.open(), as_many_as("`hips`")),
            member("height", &WalkSettings::height, from(0.0, 1.0)),
-           member("tilt", &WalkSettings::tilt, from(0.0, 1.0))))
+           member("tilt", &WalkSettings::tilt, from(0.0, 1.0))),
+        of(soles, member("forward", &Soles::forward, finite().open()), member("ankle", &Soles::ankle, size),
+           member("heel", &Soles::heel, size), member("toe", &Soles::toe, size),
+           member("strike", &Soles::strike, pitch), member("push", &Soles::push, pitch)))
         .costs("O(steps) rays")
         .allocates(Memory::scratch)
         .adds("1,000,000 steps at most");

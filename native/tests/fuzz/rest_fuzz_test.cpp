@@ -169,6 +169,10 @@ TEST_CASE("walkers of arbitrary numbers are refused or give finite results", "[f
         settings.clearance = dice.number(0.0, 0.2);
         settings.minimum_step = dice.number(0.0, 0.1);
         settings.tilt = dice.number(0.0, 1.0);
+        walker::Soles& soles = settings.soles;
+        soles.forward = dice.place();
+        for (double* length : {&soles.ankle, &soles.heel, &soles.toe}) *length = dice.number(0.0, 0.3);
+        for (double* pitch : {&soles.strike, &soles.push}) *pitch = dice.number(0.0, 1.5);
         std::optional<walker::Plane> plane;
         returns([&] {
             plane = walker::Plane{wild.chance(0.9) ? glm::dvec3(0.0) : wild.place(), dice.place()};
@@ -180,7 +184,7 @@ TEST_CASE("walkers of arbitrary numbers are refused or give finite results", "[f
             returns([&] {
                 for (std::size_t leg = 0; leg < 4; ++leg) {
                     const walker::Foot foot = walker.foot(leg, time);
-                    CHECK(is_finite(foot.position));
+                    CHECK((is_finite(foot.position) && is_finite(foot.turn)));
                 }
             });
             returns([&] {

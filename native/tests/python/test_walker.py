@@ -36,12 +36,12 @@ class WalkerTest(unittest.TestCase):
         phases, duty = native.walker_gait("tetrapod", REST)
         np.testing.assert_array_equal(phases, [0, 0.5, 0.5, 0, 0, 0.5, 0.5, 0])
         self.assertEqual(duty, 0.6)
-        for gait in ("tripod", "ripple", "wave", "trot", "pace"):
+        for gait in ("tripod", "ripple", "wave", "trot", "pace", "walk", "run", "canter", "gallop", "hop"):
             phases, duty = native.walker_gait(gait, REST, forward=(0, 0, 1), up=(1, 0, 0))
             self.assertEqual(phases.shape, (8,))
             self.assertIsInstance(duty, float)
         with self.assertRaisesRegex(ValueError, "gait: must be one of 'tripod'"):
-            native.walker_gait("gallop", REST)
+            native.walker_gait("tölt", REST)
         with self.assertRaisesRegex(ValueError, "rest"):
             native.walker_gait("trot", REST[:, :2])
         with self.assertRaisesRegex(ValueError, "forward"):
@@ -77,7 +77,7 @@ class WalkerTest(unittest.TestCase):
         walks = walker()
         self.assertEqual(walks.leg_count, 8)
         times = np.linspace(-1.0, 6.0, 50)
-        for name, shape in (("feet", (8, 3)), ("normals", (8, 3)), ("swing", (8,))):
+        for name, shape in (("feet", (8, 3)), ("normals", (8, 3)), ("turns", (8, 4)), ("swing", (8,))):
             rows = getattr(walks, name)(times)
             self.assertEqual(rows.shape, (50, *shape), name)
             self.assertEqual(rows.dtype, np.float64)
@@ -115,6 +115,20 @@ class WalkerTest(unittest.TestCase):
         np.testing.assert_allclose(offset, [0, 0, 0.2], atol=1e-6)
         up = np.array([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)])
         np.testing.assert_allclose(up, np.array([-0.1, 0, 1]) / np.sqrt(1.01), atol=1e-6)
+
+    def test_soles_turn_with_the_body_and_roll(self):
+        """Rotations are w, x, y, z; a body that is turned a quarter about Z."""
+        poses = poses_ahead(0.0)
+        poses[:, :3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+        np.testing.assert_allclose(walker(poses=poses).turns(0.0), np.tile([0.5**0.5, 0, 0, 0.5**0.5], (8, 1)), atol=1e-12)
+        walks = walker(forward=(0, 1, 0), ankle=0.1, heel=0.1, toe=0.2, strike=0.3, push=0.8)
+        np.testing.assert_allclose(walks.feet(0.0)[:, 2], 0.1)
+        w, x, y, z = walks.turns(TIMES).reshape(-1, 4).T
+        np.testing.assert_allclose(y, 0.0, atol=1e-12)
+        np.testing.assert_allclose(z, 0.0, atol=1e-12)
+        pitches = 2.0 * np.arctan2(x, w)
+        self.assertLess(pitches.min(), -0.5)
+        self.assertGreater(pitches.max(), 0.1)
 
     def test_steps(self):
         steps = walker().steps
@@ -174,6 +188,12 @@ class WalkerTest(unittest.TestCase):
             "damping": (-1.0,),
             "response": (np.inf,),
             "height": (1.5,),
+            "forward": ((0, 1), (np.nan, 0, 0)),
+            "ankle": (-0.1,),
+            "heel": (-0.1,),
+            "toe": (np.inf,),
+            "strike": (2.0,),
+            "push": (-0.1,),
             "tilt": (-0.5,),
             "hips": (REST[:3], REST[0]),
             "ground": (FLOOR, 1),

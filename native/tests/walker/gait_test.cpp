@@ -15,7 +15,9 @@ using motus::test::Random;
 
 namespace {
 
-constexpr Gait all_gaits[] = {Gait::tripod, Gait::tetrapod, Gait::ripple, Gait::wave, Gait::trot, Gait::pace};
+constexpr Gait all_gaits[] = {Gait::tripod, Gait::tetrapod, Gait::ripple, Gait::wave,
+                              Gait::trot,   Gait::pace,     Gait::walk,   Gait::run,
+                              Gait::canter, Gait::gallop,   Gait::hop};
 constexpr glm::dvec3 forward{0.0, 1.0, 0.0}, up{0.0, 0.0, 1.0};
 
 /// L1 R1 L2 R2 ..., from the front.
@@ -55,6 +57,42 @@ TEST_CASE("a trot goes by diagonals, a pace by sides", "[gait]") {
     CHECK(swinging(pattern_of(Gait::trot, pairs(4), forward, up), 0.2) == std::vector{0, 2, 5, 7});
     CHECK(swinging(pattern_of(Gait::pace, pairs(4), forward, up), 0.2) == std::vector{0, 2, 4, 6});
     CHECK(swinging(pattern_of(Gait::pace, pairs(4), forward, up), 0.7) == std::vector{1, 3, 5, 7});
+}
+
+TEST_CASE("the gaits of horses touch down as Hildebrand and Alexander say", "[gait]") {
+    // Cycles from the first touch-down on: left and right fore legs, left and right hind legs.
+    const auto touches = [](Gait gait) {
+        std::vector<double> found;
+        const Pattern pattern = pattern_of(gait, pairs(2), forward, up);
+        for (const double phase : pattern.phases) found.push_back(phase > 0.0 ? 1.0 - phase : 0.0);
+        return found;
+    };
+    const auto is = [&](Gait gait, const std::vector<double>& wanted) {
+        const std::vector<double> found = touches(gait);
+        for (std::size_t leg = 0; leg < 4; ++leg) CHECK(found[leg] == Approx(wanted[leg]).margin(1e-12));
+    };
+    is(Gait::walk, {0.25, 0.75, 0.0, 0.5});  // hind, fore of the same side, hind, fore
+    is(Gait::canter, {0.6, 0.3, 0.3, 0.0});  // a hind leg, a diagonal, the leading fore leg
+    is(Gait::gallop, {0.5, 0.3, 0.1, 0.0});
+    is(Gait::hop, {0.0, 0.0, 0.0, 0.0});
+    for (const Gait gait : {Gait::canter, Gait::gallop}) {
+        // The leading fore leg leaves the ground before the first hind leg comes down again.
+        CHECK(touches(gait)[0] + pattern_of(gait, pairs(2), forward, up).duty < 0.99);
+    }
+}
+
+TEST_CASE("on two legs a walk has both feet on the ground at times, a run none", "[gait]") {
+    const Pattern walk = pattern_of(Gait::walk, pairs(1), forward, up),
+                  run = pattern_of(Gait::run, pairs(1), forward, up);
+    std::set<std::size_t> walking, running;
+    for (int part = 0; part < 100; ++part) {
+        walking.insert(swinging(walk, part / 100.0).size());
+        running.insert(swinging(run, part / 100.0).size());
+    }
+    CHECK(walking == std::set<std::size_t>{0, 1});
+    CHECK(running == std::set<std::size_t>{1, 2});
+    CHECK(std::abs(walk.phases[0] - walk.phases[1]) == 0.5);
+    CHECK(std::abs(run.phases[0] - run.phases[1]) == 0.5);
 }
 
 TEST_CASE("in a wave one leg swings at a time, from the back to the front", "[gait]") {

@@ -1,6 +1,7 @@
 // The order in which legs step: a phase for each leg and one duty factor, as in McGhee, "Some finite state
 // aspects of legged locomotion" (1968). Insects step from the back to the front on each side: Wilson, "Insect
-// walking" (1966).
+// walking" (1966). Phases of canter and gallop: Alexander, "The gaits of bipedal and quadrupedal animals"
+// (1984); lateral sequence of walks: Hildebrand, "The quadrupedal gaits of vertebrates" (1989).
 //
 // Costs: O(n log n). Allocates the result and some memory for its work. Any number of threads at once.
 #pragma once
@@ -21,6 +22,12 @@ enum class Gait {
     wave,      ///< one after the other: the left ones from the back to the front, then the right ones
     trot,      ///< the front half of a side with the rear half of the other side
     pace,      ///< all left legs, then all right legs
+    walk,      ///< on each side from the back to the front, half a cycle apart: hind, fore, other hind, other
+               ///< fore
+    run,       ///< as in a trot, with all feet in the air in between
+    canter,    ///< three beats, the left side leads: a hind leg, a diagonal together, a fore leg
+    gallop,    ///< four beats, the left side leads: both hind legs, both fore legs, and all in the air
+    hop,       ///< all legs together
 };
 
 /// When each leg swings: while the fraction of (cycle + phases[i]) is below 1 - duty.

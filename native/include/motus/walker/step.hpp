@@ -5,6 +5,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -42,6 +43,12 @@ struct Footstep {
     /// Fractions of the swing, below 1 together, for which the foot goes straight up at first, and straight
     /// down at last: 0 except beside an edge, such as that of a stair.
     double upwards = 0.0, downwards = 0.0;
+    /// Of the flat sole, from the body's space to the world.
+    glm::dquat start_turn{1.0, 0.0, 0.0, 0.0}, end_turn{1.0, 0.0, 0.0, 0.0};
+    /// rad, pitch of the sole when the foot lifts, and when it touches down: above 0 over the toe, below 0
+    /// over the heel.
+    double push = 0.0, strike = 0.0;
+    double pushing = 0.0, striking = 0.0;  ///< s before `lift`, and after `touch`, for which the sole rolls
 
     /// Fraction of the swing at a time: 0 before the foot lifts, 1 from the touch on.
     [[nodiscard]] double through(double time) const {

@@ -24,6 +24,16 @@ namespace motus::walker {
 
 inline constexpr double most_steps = 1e6;
 
+/// The soles of the feet: how they lie on the ground and roll over heel and toe (foot rockers).
+struct Soles {
+    glm::dvec3 forward{0.0, 1.0, 0.0};  ///< of the feet, in the body's space; its part across up counts
+    double ankle = 0.0;                 ///< m, >= 0, height of a foot's place above the ground under its sole
+    double heel = 0.0;                  ///< m, >= 0, how far behind a foot's place its sole rolls
+    double toe = 0.0;                   ///< m, >= 0, how far ahead of it
+    double strike = 0.0;                ///< rad, [0, pi/2], by which the toe is up when a heel touches down
+    double push = 0.0;                  ///< rad, [0, pi/2], by which the heel is up when a toe lifts
+};
+
 /// How feet step and the body follows them.
 struct WalkSettings {
     /// m, >= 0, height of a swinging foot half-way, above the ground under it; less in steps that are shorter
@@ -40,6 +50,7 @@ struct WalkSettings {
     dynamics::SecondOrder filter{2.0, 1.0, 0.0};  ///< of the body's height and tilt
     double height = 1.0;                          ///< share of the height that the body follows, [0, 1]
     double tilt = 1.0;
+    Soles soles{};
 };
 
 /// A foot at a time.
@@ -47,6 +58,8 @@ struct Foot {
     glm::dvec3 position{0.0};
     glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit, of the ground; in a swing from one foothold's to the next's
     double swing = 0.0;                ///< 0 while it stands, else how far through its swing, up to 1
+    /// From the body's space to the world, of the sole: flat on the ground, rolled, or in a swing between.
+    glm::dquat turn{1.0, 0.0, 0.0, 0.0};
 };
 
 /// How the body follows its feet, in world space: it is turned about its own origin, then moved.
@@ -55,7 +68,7 @@ struct Correction {
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
 };
 
-/// The plan of a shot. Immutable; while a foot stands its place has the same bits at all times. The plan is
+/// The plan of a shot. Immutable; while a sole lies flat its foot has the same bits at all times. The plan is
 /// the same for any number of threads.
 class Walker {
   public:

@@ -1,0 +1,43 @@
+// How soles lie on the ground and roll over heel and toe. Private to the library.
+//
+// The times at which a heel has rolled down and begins to rise: Perry, "Gait Analysis" (1992), ch. 2.
+#pragma once
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "motus/walker/walker.hpp"
+
+namespace motus::walker {
+
+/// Where a sole is, in the world.
+struct SolePose {
+    glm::dvec3 position{0.0};
+    glm::dquat turn{1.0, 0.0, 0.0, 0.0};  ///< from the body's space
+};
+
+/// The soles of all feet of a walker: how they lie on the ground and roll.
+class SoleFrame {
+  public:
+    /// up: in the body's space, not zero.
+    SoleFrame(const Soles& soles, const glm::dvec3& up);
+
+    /// The turn, from the body's space to the world, of a sole that lies flat on ground with this normal
+    /// (unit) under a body with this pose.
+    [[nodiscard]] glm::dquat flat(const glm::dmat4& pose, const glm::dvec3& normal) const;
+    /// A sole that is flat at a place, rolled by a pitch, rad: over the toe if it is above 0, else over the
+    /// heel.
+    [[nodiscard]] SolePose rolled(const glm::dvec3& place, const glm::dquat& flat, double pitch) const;
+    /// Sets how each step rolls, except the first one: as much less as it is shorter than `stride`, and the
+    /// other way round if it goes backwards. steps: of one leg on one stretch.
+    void add_rolls(std::vector<Footstep>& steps, double stride, double duty) const;
+    /// The sole on a step at a time, and in the stand that follows it. next: the step after, if there is one.
+    [[nodiscard]] SolePose at(const Footstep& step, const Footstep* next, double time) const;
+
+  private:
+    Soles soles_;
+    glm::dvec3 side_, ahead_, up_;  ///< of the body's space, orthonormal
+};
+
+}  // namespace motus::walker
