@@ -27,7 +27,15 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
     bl_label = "Stereo Output"
     bl_description = "Set how the images of both eyes are written"
     redo = (
-        Rows(("format", Row("squeeze", when=is_one_of("format", 'SIDEBYSIDE', 'TOPBOTTOM')), "use_360", Row("use_180", when=_is_around))),
+        Rows(
+            (
+                "format",
+                Row("squeeze", when=is_one_of("format", 'SIDEBYSIDE', 'TOPBOTTOM')),
+                Row("glasses", when=is_one_of("format", 'ANAGLYPH')),
+                "use_360",
+                Row("use_180", when=_is_around),
+            )
+        ),
     )
 
     format: bpy.props.EnumProperty(name="Format", description="How the images are written", items=FORMATS, default='SIDEBYSIDE')

@@ -139,6 +139,12 @@ def _draw_check(layout, context, owner, screen):
             button.object, button.frame_start, button.frame_end = owner.name, round(found.frames[0]), round(found.frames[-1])
 
 
+def _ticks(low, high, least):
+    """Heights of a graph of values from low to high that are at least so far apart that their texts differ. least: range of the graph."""
+    wider = 0.5 * max(least - (high - low), 0.0)
+    return graph.ticks(low - wider, high + wider)
+
+
 def _draw_over_frames(box, context, found, screen):
     """Draw graphs of a check's frames: the farthest and nearest parallax with the screen's limits, and the convergence distance.
 
@@ -149,13 +155,13 @@ def _draw_over_frames(box, context, found, screen):
     flags = found.is_faulty[np.abs(frames[:, None] - found.frames).argmin(axis=1)]
     columns = [f"{frame:.5g}" for frame in (first, (first + last) / 2.0, last)]
     nearest, farthest, convergence = (np.interp(frames, found.frames, one) for one in (found.nearest, found.farthest, found.convergence))
-    heights = {one: f"{100.0 * one:+.2f} %" for one in graph.ticks(nearest.min(), farthest.max())}
+    heights = {one: f"{100.0 * one:+.2f} %" for one in _ticks(nearest.min(), farthest.max(), results.NARROWEST)}
     near, far = native.module.comfortable_parallax(**screen) if screens.is_sound(screen) else (math.inf, math.inf)
     limits = [np.full(POINTS, one) for one in (-near, far) if min(heights) <= one <= max(heights)]
     box.label(text="Parallax over Frames")
     graph.draw(box, "stereo_parallax", farthest, heights, columns, (nearest, *limits), flags)
     if np.isfinite(convergence).all():
-        heights = {one: ui.length(context, one) for one in graph.ticks(convergence.min(), convergence.max())}
+        heights = {one: ui.length(context, one) for one in _ticks(convergence.min(), convergence.max(), 0.1 * convergence.max())}
         box.label(text="Convergence over Frames")
         graph.draw(box, "stereo_convergence", convergence, heights, columns, (), flags)
 

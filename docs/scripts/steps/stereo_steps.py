@@ -31,11 +31,8 @@ def steps(strip):
 
     yield from hand.click("Check Stereo", hand.box('UI'))
     yield 0.5
-    yield from hand.click("Scene", DIALOG)
-    yield 0.5
-    yield from hand.click("Current Frame")
     yield from hand.click("OK", DIALOG)
-    yield 1.0
+    yield 20.0
     yield from hand.on("Measured Parallax", hand.box('UI'))
-    yield from hand.scroll(-6)
+    yield from hand.scroll(-11)
     yield from strip.shot(200, 180)
