@@ -622,7 +622,7 @@ class LayerStack:
         part of the way where the layer counts for a part; without it all rotations go the shorter way.
         Raises ValueError or TypeError that names the argument; transforms that are not finite stay as they are.
         """
-    def sources(self, frame: float, basis: numpy.typing.NDArray[numpy.float32], clips: list, settings: numpy.typing.NDArray[numpy.float64], masks: numpy.typing.NDArray[numpy.float64], references: list, given: list, edited: int, wanted: numpy.typing.NDArray[numpy.float32], rows: numpy.typing.ArrayLike, laps: list[numpy.typing.NDArray[numpy.float64] | None] | None = None) -> tuple:
+    def sources(self, frame: float, basis: numpy.typing.NDArray[numpy.float32], clips: list, settings: numpy.typing.NDArray[numpy.float64], masks: numpy.typing.NDArray[numpy.float64], references: list, given: list, edited: int, wanted: numpy.typing.NDArray[numpy.float32], rows: numpy.typing.ArrayLike, laps: list[numpy.typing.NDArray[numpy.float64] | None] | None = None) -> tuple[numpy.typing.NDArray[numpy.float64], tuple[int, ...]]:
         """
         The inverse of solve(): what the clip of one layer has to say, so that the layers together give a wanted pose.
         

@@ -20,10 +20,11 @@ constexpr double most_of_stand = 0.5;
 
 }  // namespace
 
-SoleFrame::SoleFrame(const Soles& soles, const glm::dvec3& up) : soles_(soles), up_(unit_vector(up)) {
-    ahead_ = across(unit_vector(soles.forward), up_);
-    side_ = glm::cross(ahead_, up_);
-}
+SoleFrame::SoleFrame(const Soles& soles, const glm::dvec3& up)
+    : soles_(soles),
+      up_(unit_vector(up)),
+      ahead_(across(unit_vector(soles.forward), up_)),
+      side_(glm::cross(ahead_, up_)) {}
 
 glm::dquat SoleFrame::flat(const glm::dmat4& pose, const glm::dvec3& normal) const {
     const glm::dvec3 ahead = unit_vector(glm::dmat3(pose) * ahead_);

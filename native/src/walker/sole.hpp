@@ -37,7 +37,7 @@ class SoleFrame {
 
   private:
     Soles soles_;
-    glm::dvec3 side_, ahead_, up_;  ///< of the body's space, orthonormal
+    glm::dvec3 up_, ahead_, side_;  ///< of the body's space, orthonormal
 };
 
 }  // namespace motus::walker

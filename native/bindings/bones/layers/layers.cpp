@@ -388,11 +388,11 @@ void moves_between(const Float32Array& own, const Float32Array& laid, const Floa
                                                 layers::transform_of(matrix_in(to, i))));
 }
 
-py::tuple find_sources(const layers::Stack& stack, const Number& frame, const Float32Array& basis,
-                       const py::list& clips, const Float64Array& settings, const Float64Array& masks,
-                       const py::list& references, const py::list& given, const WholeNumber& edited,
-                       const Float32Array& wanted, const ArrayLike& rows,
-                       const Typed<"list[numpy.typing.NDArray[numpy.float64] | None] | None">& laps) {
+[[nodiscard]] Typed<"tuple[numpy.typing.NDArray[numpy.float64], tuple[int, ...]]"> find_sources(
+    const layers::Stack& stack, const Number& frame, const Float32Array& basis, const py::list& clips,
+    const Float64Array& settings, const Float64Array& masks, const py::list& references,
+    const py::list& given, const WholeNumber& edited, const Float32Array& wanted, const ArrayLike& rows,
+    const Typed<"list[numpy.typing.NDArray[numpy.float64] | None] | None">& laps) {
     const std::size_t count = stack.size();
     const double at = number(frame, "frame");
     const std::vector<float> own = copied(elements<float>(basis, "basis", {count, 16}));
