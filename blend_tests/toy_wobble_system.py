@@ -12,7 +12,7 @@ interface, declared, ANIMATED = core.interface, core.settings.declared, core.set
 class WobbleKeywords:
     amount: declared.number("Amount", "Greatest distance along each axis", 0.1, ANIMATED, min=0.0, max=1e4, subtype='DISTANCE')
     frequency: declared.number("Frequency", "Waves a second, in Hz", 1.0, tells_no_keys=True, min=0.0, max=1e3)
-    seed: declared.whole("Seed", "Seed of the noise: each number gives a different noise", 0, min=0, max=1 << 30)
+    seed: declared.whole("Seed", "Seed of the random values: each number gives a different motion", 0, min=0, max=1 << 30)
     influence: declared.factor("Influence", "Fraction of the wobble that moves the object", 1.0, ANIMATED)
 
 
