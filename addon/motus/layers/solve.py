@@ -50,7 +50,8 @@ class Source:
     """Data of an evaluated rig's layers that change only by edits, so that they can be cached between frames.
 
     entries: settings of the L layers. playing: (action or None, slot) of each. modes: rotation modes of all bones. masks: (L, bones)
-    weights of all bones in the masks. edited: index of the layer that is edited by its keys; None if there is none.
+    weights of all bones in the masks. is_compared: whether a layer is compared with a different action. edited: index of the layer that is
+    edited by its keys; None if there is none.
     """
 
     def __init__(self, rig, copy, wired):
@@ -58,6 +59,7 @@ class Source:
         self.entries = list(rig.motus.layers.entries)
         self.playing = [(pointed(entry, "action"), entry.slot) for entry in self.entries]
         self._compared = [pointed(entry, "reference_action") if is_compared(entry) else None for entry in self.entries]
+        self.is_compared = any(self._compared)
         self.modes = tuple(bone.rotation_mode for bone in rig.pose.bones)
         masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather) for entry in self.entries]
         self.masks = np.array(masks).reshape(len(masks), len(wired.places))
@@ -103,11 +105,12 @@ def solve(context):
     if len(wired.rows) != len(context.rotations):
         raise stored.Damaged("another number of members")
     found, basis = source.clips(), source.reader.own_basis()
-    own = basis if source.edited is None else basis.copy()
-    is_edited = source.put_edited(found, basis, context.frame)
-    playing, settings, some_are_off = context.kept(
-        "playing", (source, *found, *source.references()), lambda: _playing(context.settings, source, found)
-    )
+    own, is_edited = basis, False
+    if source.edited is not None:
+        own = basis.copy()
+        is_edited = source.put_edited(found, basis, context.frame)
+    others = source.references() if source.is_compared else ()
+    playing, settings, some_are_off = context.kept("playing", (source, *found, *others), lambda: _playing(context.settings, source, found))
     laid = np.empty((len(wired.rows), 16), np.float32)  # a new one, since other threads may read the present one
     playing.lay(context.frame, settings, basis, context.locations, context.rotations, context.scales, laid)
     if is_edited:

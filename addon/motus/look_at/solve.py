@@ -81,8 +81,9 @@ class _Source:
         if -1 in self.places:
             raise KeyError
         entries = [every[place] for place in self.places]
-        self.targets = [goals(entry) for entry in entries]
-        self.target_counts = [len(targets) for targets in self.targets]
+        found = [goals(entry) for entry in entries]
+        self.target_counts = [len(targets) for targets in found]
+        self.targets = [(row, number > 0, *one) for row, targets in enumerate(found) for number, one in enumerate(targets)]
 
 
 def solve(context):
@@ -103,7 +104,7 @@ def solve(context):
 
 
 def _solve(context, source):
-    wired, count = source.wired, len(source.targets)
+    wired, count = source.wired, len(source.target_counts)
     if (wired.members, count * len(OUTPUTS)) != (len(context.rotations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
     points, off, absent = _places(source.targets)
@@ -166,18 +167,16 @@ def _settings(settings, places, columns):
 def _places(targets):
     """World positions of all heads' targets, (targets, 3); {row of a head without its first target: reason}; rows of further targets that are missing.
 
-    targets: for each head, the (evaluated object or None, name of its bone or "") of each of its targets.
+    targets: (row of the head, whether it is a further target, evaluated object or None, name of its bone or "") of each.
     """
-    points, off, absent = [], {}, []
-    for row, goals_of_head in enumerate(targets):
-        for number, (target, bone) in enumerate(goals_of_head):
-            point, reason = _place(target, bone)
-            if reason and number:
-                absent.append(len(points))
-            elif reason:
-                off[row] = reason
-            points.append(point)
-    return np.array(points, dtype=float), off, absent  # Blender 5.2 gives vectors as single precision
+    points, off, absent = np.zeros((len(targets), 3)), {}, []
+    for place, (row, is_further, target, bone) in enumerate(targets):
+        points[place], reason = _place(target, bone)
+        if reason and is_further:
+            absent.append(place)
+        elif reason:
+            off[row] = reason
+    return points, off, absent
 
 
 def _place(target, bone):

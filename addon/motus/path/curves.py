@@ -2,7 +2,7 @@
 
 import threading
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 from ..core import keeping, native, rigs
 from ..core.declare import Problem
@@ -49,10 +49,15 @@ class Unreadable(Exception):
 
 @dataclass(frozen=True, eq=False)
 class WorldCurve:
-    """A native curve in world space. tilt: array of the splines' tilt in radians at the joints of the curve's segments."""
+    """A native curve in world space. tilt: array of the splines' tilt in radians at the joints of the curve's segments.
+
+    It has what a solve.Course has, for followers that need nothing but the curve.
+    """
 
     curve: Any
     tilt: Any
+    space: ClassVar[Any] = None
+    rail: ClassVar[Any] = None
 
     def told(self, reads_length, reads_tilt):
         """Return what a plan of followers is made from of the curve: (length, tilt as bytes), None in place of what the plan does not read."""

@@ -1,7 +1,6 @@
 """Solver of Follow Path: declares its inputs, and has the native module place all followers of a solver and their wagons in one call."""
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import mathutils
 
@@ -66,6 +65,9 @@ class _AlsoDeformed(Deformed):
     def variable(self, _owner, _settings):
         """None, since that of the first input reads the same proxy."""
 
+    def read(self, _value, _settings):
+        """None: what is waited for is read by the other inputs."""
+
 
 INPUTS = (
     Matrix("matrix", of="curve"),
@@ -81,17 +83,18 @@ HALF_TURNS = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 OUTPUTS = ("parameter", "fraction", "distance", "speed", "length")
 
 
-@dataclass(frozen=True, eq=False)
-class Course:
-    """What a follower rides: its curve, and what belongs to the curve.
+class Course(NamedTuple):
+    """What a follower rides, if that is more than a curves.WorldCurve in the world.
 
-    path: curves.WorldCurve, in `space`. space: matrix without scale of the space in which the frames are computed; None for the world. rail:
-    curves.WorldCurve of the rail, in `space`; None if the orientation reads none.
+    curve, tilt: those of `path`. path: curves.WorldCurve, in `space`. space: matrix without scale of the space in which the frames are computed;
+    None for the world. rail: curves.WorldCurve of the rail, in `space`; None if the orientation reads none.
     """
 
+    curve: Any
+    tilt: Any
     path: Any
-    space: Any = None
-    rail: Any = None
+    space: Any
+    rail: Any
 
     def told(self, reads_length, reads_tilt):
         """Return what a plan of followers is made from; see WorldCurve.told(). A rail is a part of the plan itself."""
@@ -104,22 +107,22 @@ def solve(context, matrix, splines, deformed, rail_matrix, rail_splines, rail_de
     matrix, splines, deformed: evaluated inputs from the curve object; those of the rail likewise. numbers: numeric settings by name.
     Returns a Problem or None; a user's error never raises an exception.
     """
-    which = _which(context.settings, numbers)
+    reads, is_mirrored_owner, in_own_space, has_rail = context.kept("fixed", None, lambda: _fixed(context))
+    which = int(numbers["spline"]), in_own_space, int(numbers["rail_spline"]) if has_rail else None
     course = _course(context, which, (matrix, splines), (rail_matrix, rail_splines))
     if course.__class__ is Problem:
         return course
-    reads, is_mirrored_owner = context.kept("fixed", None, lambda: _fixed(context))
     if is_mirrored_owner is None:
         is_mirrored_owner = is_mirrored(context.owner)
     found = context.kept(
         "made",
-        (course.path, course.rail, context.fps, is_mirrored_owner),
+        ((course.path, course.rail) if course.__class__ is Course else course, context.fps, is_mirrored_owner),
         lambda: _kept_plan(context, numbers, course, reads, is_mirrored_owner),
     )
     if found.__class__ is Problem:
         return found
     plan, problem, mirrored = found
-    _follow(plan, context, [course])
+    plan.solve([course.curve], context.frame, context.fps, context.poses, None if course.space is None else [course.space])
     if mirrored:
         _turn_mirrored(context.rotations, mirrored, context.settings)
     return problem
@@ -137,8 +140,13 @@ def solve_rows(context, rows, matrix, splines, deformed, rail_matrix, rail_splin
 
 def _which(settings, numbers):
     """Return what tells one Course on a curve from another: (spline, whether it is in the path's own space, the rail's spline or None)."""
-    rail = int(numbers["rail_spline"]) if chosen(settings, "orientation") == 'RAIL' else None
-    return int(numbers["spline"]), chosen(settings, "space") == 'PATH', rail
+    in_own_space, has_rail = _spaces(settings)
+    return int(numbers["spline"]), in_own_space, int(numbers["rail_spline"]) if has_rail else None
+
+
+def _spaces(settings):
+    """Return (whether all is meant in the path's own space, whether the orientation reads a rail)."""
+    return chosen(settings, "space") == 'PATH', chosen(settings, "orientation") == 'RAIL'
 
 
 def _reads(settings):
@@ -168,7 +176,7 @@ def _kept_plan(context, numbers, course, reads, is_mirrored_owner):
 def _plan(context, numbers, course):
     """Return (native FollowPlan of the owner and its wagons, Problem or None, indices of mirrored objects); a Problem if it blocks."""
     plan = native.module.FollowPlan()
-    still = _still(context, numbers, course.path.curve.length())
+    still = _still(context, numbers, course.curve.length())
     if isinstance(still, Problem):
         return still
     _add_to(plan, 0, course, still, numbers)
@@ -197,7 +205,7 @@ def _add_row(plan, context, row, place, course):
     """Add the owner of a row to a plan, unless a Problem blocks it; returns the Problem or None."""
     if isinstance(course, Problem):
         return course
-    length = course.path.curve.length()
+    length = course.curve.length()
     its = Context(row.settings, None, context.frame, context.depsgraph, member_data=row.member_data, memo=row.memo)
     key = length if motion.reads_length(row.settings) else None, context.fps
     still = its.kept("still", key, lambda: _still(its, row.inputs, length))
@@ -211,20 +219,20 @@ def _add_to(plan, place, course, still, numbers):
     """Add a follower to a native FollowPlan. place: index of its course in the list that the plan is given. still: result of _still()."""
     moving, options, members_at, _ = still
     clock = {"time": moving.time} if moving.clock is None else moving.clock
-    curves_of = {"tilt": course.path.tilt} if "tilt" in options else {"rail": course.rail.curve} if "rail" in options else {}
+    curves_of = {"tilt": course.tilt} if "tilt" in options else {"rail": course.rail.curve} if "rail" in options else {}
     plan.add(place, moving.timing, moved=moving.offset, offset=numbers["offset"], **(options | members_at | clock | curves_of))
 
 
 def _follow(plan, context, courses):
     found = [None if course.__class__ is Problem else course for course in courses]
-    spaces = [course and course.space for course in found]
-    plan.solve(
-        [course and course.path.curve for course in found], context.frame, context.fps, context.poses, spaces if any(spaces) else None
-    )
+    spaces, are_needed = [course and course.space for course in found], False
+    for space in spaces:
+        are_needed = are_needed or space is not None
+    plan.solve([course and course.curve for course in found], context.frame, context.fps, context.poses, spaces if are_needed else None)
 
 
 def _course(context, which, path, rail):
-    """Return the Course that is followed; a Problem if it cannot be followed.
+    """Return what is followed, a Course or curves.WorldCurve; a Problem if it cannot be followed.
 
     which: result of _which(). path, rail: (world matrix, splines) of the curve and of the rail, as inputs give them.
     """
@@ -235,9 +243,9 @@ def _course(context, which, path, rail):
     if found.__class__ is Problem:
         return found
     if rail_spline is None:
-        return Course(found, space)
+        return found if space is None else Course(found.curve, found.tilt, found, space, None)
     second = _read(context, "rail", (NO_RAIL, RAIL_DELETED), rail, rail_spline, space)
-    return second if second.__class__ is Problem else Course(found, space, second)
+    return second if second.__class__ is Problem else Course(found.curve, found.tilt, found, space, second)
 
 
 def space_of(matrix):
@@ -279,8 +287,8 @@ def _found(context, name):
 
 
 def _fixed(context):
-    """Return (result of _reads(), whether the owner is mirrored; None if that may change without an edit of the settings)."""
-    return _reads(context.settings), is_mirrored(context.owner) if is_constant(context.owner) else None
+    """Return (result of _reads(), whether the owner is mirrored, None if that may change without an edit of the settings, *_spaces())."""
+    return _reads(context.settings), is_mirrored(context.owner) if is_constant(context.owner) else None, *_spaces(context.settings)
 
 
 def _still(context, numbers, length):

@@ -11,6 +11,7 @@ from ..hubs import outbox
 
 NO_TARGET = 0.0
 """What Blender passes for a driver variable whose target is gone."""
+_NUMBERS = (float, int)
 _PLAIN = (Matrix.read, mathutils.Matrix), (Splines.read, bpy.types.bpy_prop_collection)
 """Pairs of a function that reads inputs, and the class of which it returns every value unchanged."""
 
@@ -31,11 +32,14 @@ def read(inputs, given, settings, into):
     inputs: result of read_from_driver(). given: the passed values; a driver of an earlier version passes fewer, and the inputs that it does
     not know are as those without a target. settings: the owner's settings, for inputs that need them.
     """
-    if inputs and len(given) <= inputs[0][0]:
+    count = len(given)
+    if inputs and count <= inputs[0][0]:
         raise Damaged("too few arguments")
     for index, name, plain, convert in inputs:
-        value = given[index] if index < len(given) else NO_TARGET
-        into[name] = value if value.__class__ is plain else convert(value, settings)
+        value = given[index] if index < count else NO_TARGET
+        kind = value.__class__
+        # What has a plain class is None without a target, for which Blender passes a number.
+        into[name] = value if kind is plain else None if plain is not None and kind in _NUMBERS else convert(value, settings)
 
 
 def member_data(system, carrier, count):
