@@ -33,7 +33,7 @@ def downloaded(path, folder, ending):
 def in_window(version, folder, display, path):
     """Does the steps in a Blender that has no Motus yet; the exit status."""
     backend = () if version == "3.4" else ("--gpu-backend", "opengl")
-    environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
+    environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1", LP_NUM_THREADS="0")
     environment.pop("WAYLAND_DISPLAY", None)
     command = [
         str(CLONE / "motus"),

@@ -32,7 +32,7 @@ def main(*names):
     if subprocess.run([motus, "has_blender", VERSION], check=False).returncode:
         return SKIPPED
     with tempfile.TemporaryDirectory(prefix="motus-steps-") as folder, run.x_server(folder, SIZE) as display:
-        environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
+        environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1", LP_NUM_THREADS="0")
         environment.pop("WAYLAND_DISPLAY", None)
         command = [
             motus,

@@ -208,6 +208,18 @@ class Edits(LayerTestCase):
 
 
 class Flatten(LayerTestCase):
+    def test_under_time_stretching(self):
+        self.scene.render.frame_map_old, self.scene.render.frame_map_new = 100, 200
+        self.add(bones="UpperArm.L", start=3.0)
+        wanted = {}
+        for frame in (5, 17, 30):
+            self.go_to(frame)
+            wanted[frame] = self.poses()
+        bpy.ops.motus.layers_flatten(object="Rig", frame_start=1, frame_end=40)
+        for frame, poses in wanted.items():
+            self.go_to(frame)
+            self.assertSamePoses(self.poses(), poses, 2e-6)
+
     def test_one_action_gives_the_same(self):
         turning("Wave", {"LowerArm.L": (0.0, 0.0, 1.2)})
         self.add(bones="UpperArm.L", blend_in=5.0)

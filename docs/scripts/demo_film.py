@@ -8,6 +8,7 @@ Films are made by EEVEE, which is free of noise at the few samples a frame can h
 Blender can denoise what Cycles makes.
 """
 
+import shutil
 import sys
 import tempfile
 import time
@@ -112,22 +113,45 @@ def render_still(shot, scene, folder, quality, progress, width):
     file = folder / f"{shot.scene.name}_{shot.still + 1:02d}.png"
     cuts = _suspend_cuts(scene)
     scene.camera = scene.objects[camera]
-    _set_stereo(shot, scene)
-    scene.frame_set(_frame_at(scene, moment))
+    output = _set_stereo(shot, scene)
+    frame = _frame_at(scene, moment)
+    scene.frame_set(frame)
     scene.render.filepath = str(file)
-    bpy.ops.render.render(write_still=True)
+    if output == "LEAST_SQUARES":
+        _render_combined(scene, frame, file)
+    else:
+        bpy.ops.render.render(write_still=True)
+    if output == "VR180":
+        scene.camera.data.type = "PERSP"
     _resume_cuts(scene, cuts)
     progress.say(f"{file}: {width} pixels wide, {progress.seconds() - began:.0f} s")
     return file
 
 
 def _set_stereo(shot, scene):
-    """Let both eyes be written as the scene says, where its camera has two."""
-    if shot.scene.stereo:
-        output = shot.scene.stereo[shot.still]
-        scene.render.use_multiview = bool(output)
-        if output:
-            bpy.ops.motus.stereo_output(object=scene.camera.name, format=output)
+    """Let both eyes be written as the scene says, where its camera has two. Returns how that is, "" for one picture from between them."""
+    output = shot.scene.stereo[shot.still] if shot.scene.stereo else ""
+    scene.render.use_multiview = bool(output)
+    if output == "VR180" and scene.render.engine != "CYCLES":
+        output = "SIDEBYSIDE"  # only Cycles renders a panorama to both eyes
+    keywords = {"LEAST_SQUARES": {"format": "PAIR"}, "VR180": {"format": "SIDEBYSIDE", "use_360": True, "use_180": True}}
+    if output:
+        bpy.ops.motus.stereo_output(object=scene.camera.name, **keywords.get(output, {"format": output}))
+    return output
+
+
+def _render_combined(scene, frame, file):
+    """Render both eyes at a frame, and write the least-squares anaglyph of them."""
+    span = scene.frame_start, scene.frame_end
+    with tempfile.TemporaryDirectory() as folder:
+        scene.render.filepath = str(Path(folder, "eyes_"))
+        scene.frame_start = scene.frame_end = frame
+        try:
+            bpy.ops.render.render(animation=True)
+            bpy.ops.motus.stereo_combine(object=scene.camera.name, frame_start=frame, frame_end=frame)
+        finally:
+            scene.frame_start, scene.frame_end = span
+        shutil.move(next(Path(folder).glob("*_anaglyph.png")), file)
 
 
 def _suspend_cuts(scene):

@@ -13,7 +13,8 @@ class DemoScene(NamedTuple):
     stills: tuple  # (camera, time), the most beautiful first
     film: tuple  # (time of its start, time of its end)
     ambience: float  # greatest distance at which ambient occlusion acts, m
-    # For a stereo camera: format of each still and then of the film, as motus.stereo_output names it; "" renders from between the eyes.
+    # For a stereo camera: format of each still and then of the film, as motus.stereo_output names it; "" renders from between the eyes,
+    # "LEAST_SQUARES" makes the anaglyph by motus.stereo_combine, "VR180" shows half of a panorama to each eye.
     stereo: tuple = ()
 
 
@@ -23,7 +24,7 @@ SCENES = (
         name="flight",
         identifier="PATH",
         label="Banked Flight",
-        description="An aeroplane on a curved course over a lake, with a chasing camera",
+        description="An aeroplane on a curved course over a lake, with a chasing camera, and a train on the shore",
         stills=(("Wide Camera", 1.05), ("Fly-By Camera", 9.5), ("Chase Camera", 6.2)),
         film=(5.9, 9.8),  # timeline markers cut between cameras during the film
         ambience=3.0,
@@ -82,7 +83,7 @@ SCENES = (
         stills=(("Stereo Camera", 4.0), ("Stereo Camera", 4.0), ("Stereo Camera", 7.4)),
         film=(1.5, 9.5),
         ambience=2.0,
-        stereo=("ANAGLYPH", "SIDEBYSIDE", "ANAGLYPH", "ANAGLYPH"),
+        stereo=("LEAST_SQUARES", "SIDEBYSIDE", "VR180", "ANAGLYPH"),
     ),
     DemoScene(
         name="chroma",
@@ -97,8 +98,8 @@ SCENES = (
         name="layers",
         identifier="LAYERS",
         label="Walk on a Small Planet",
-        description="A wooden pilot walks on a planet that turns beneath him, and throws an aeroplane and jumps by layers of animation",
-        stills=(("Planet Camera", 2.55), ("Planet Camera", 6.05), ("Planet Camera", 2.95)),
+        description="A wooden pilot walks on a planet that turns beneath him, and throws an aeroplane, waves and jumps by layers of animation",
+        stills=(("Planet Camera", 2.55), ("Planet Camera", 6.05), ("Planet Camera", 4.45)),
         film=(0.0, 9.0),
         ambience=0.5,
     ),

@@ -10,6 +10,7 @@ from ..core.blender import actions
 from ..core.blender.frames import Kept, depsgraph_of, go_to
 from ..core.interface.operators import OBJECT_OR_POSE_MODE, object_keyword
 from ..core.interface.over_frames import OverFrames
+from ..core.measures import scene_time
 from ..core.refusals import Refused, check_no_tweak_mode, check_posed
 from ..core.translations import tr
 from ..core.wiring import driven_bones
@@ -36,7 +37,7 @@ def flatten(scene, view_layer, rig, frames):
             yield index + 1
     finally:
         kept.restore()
-    _apply(rig, tracks, frames)
+    _apply(rig, tracks, [scene_time.keys_time(scene, frame) for frame in frames])
     kept.restore()
 
 
@@ -59,7 +60,8 @@ def _record(evaluated, tracks):
         track.record_basis(Matrix(basis[rows[track.thing.name]].tolist()))
 
 
-def _apply(rig, tracks, frames):
+def _apply(rig, tracks, times):
+    """Write the tracks into the rig's action, with keys at `times`, frames in the keys' time, and mute the layers."""
     animation = rig.animation_data or rig.animation_data_create()
     keyed = {curve.data_path for curve in actions.fcurves(rig)}
     for track in tracks:
@@ -67,7 +69,7 @@ def _apply(rig, tracks, frames):
     if animation.action:
         animation.action.use_fake_user = True  # Blender does not save an action without a user
     bag = actions.assign_copy(rig, f"{rig.name} Flattened")
-    write_curves(bag, tracks, frames)
+    write_curves(bag, tracks, times)
     for curve in [one for one in bag.fcurves if one.data_path.startswith(f"{targets.LIST}[") and one.data_path.endswith(".is_muted")]:
         bag.fcurves.remove(curve)
     if animation.nla_tracks:  # the new keys contain the NLA strips' motion as well

@@ -97,26 +97,17 @@ class OverTime:
         locations, rotations, acts = np.zeros((count, 3)), np.zeros((count, 4)), np.zeros(count, bool)
         told = np.zeros(len(solve.OUTPUTS))
         poses = native.module.PoseBuffer(len(offsets), told)
-        for row, (time, numbers, matrix, rail_matrix) in enumerate(zip(times.tolist(), values, curve, rail)):
-            context = Context(
-                self._settings,
-                self._owner,
-                time,
-                SimpleNamespace(scene=self._scene),
-                outputs=told,
-                member_data=offsets,
-                poses=poses,
-            )
-            problem = solve.solve(
-                context,
-                None if matrix is None else Matrix(matrix),
-                self._curve and pointed(self._settings, "curve").data.splines,
-                None,
-                None if rail_matrix is None else Matrix(rail_matrix),
-                self._rail and pointed(self._settings, "rail").data.splines,
-                None,
-                **dict(zip(self._numbers, numbers)),
-            )
+        graph = SimpleNamespace(scene=self._scene)
+        memo = {} if all(track.is_constant for track in self._numbers.values()) else None
+        moments = (
+            (time, dict(zip(self._numbers, numbers)), *matrices) for time, numbers, *matrices in zip(times.tolist(), values, curve, rail)
+        )
+        solved = solve.solve_moments(
+            lambda time: Context(self._settings, self._owner, time, graph, outputs=told, member_data=offsets, memo=memo, poses=poses),
+            moments,
+            *(track and pointed(self._settings, name).data.splines for track, name in ((self._curve, "curve"), (self._rail, "rail"))),
+        )
+        for row, (context, problem) in enumerate(solved):
             acts[row] = problem is None or not problem.blocking
             locations[row], rotations[row] = context.locations[self._index], context.rotations[self._index]
         is_turned = "rotation" in members.channels(self._settings)

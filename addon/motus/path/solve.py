@@ -110,8 +110,11 @@ def solve(context, matrix, splines, deformed, rail_matrix, rail_splines, rail_de
     reads, is_mirrored_owner, in_own_space, has_rail = context.kept("fixed", None, lambda: _fixed(context))
     which = int(numbers["spline"]), in_own_space, int(numbers["rail_spline"]) if has_rail else None
     course = _course(context, which, (matrix, splines), (rail_matrix, rail_splines))
-    if course.__class__ is Problem:
-        return course
+    return course if course.__class__ is Problem else _go(context, course, numbers, reads, is_mirrored_owner)
+
+
+def _go(context, course, numbers, reads, is_mirrored_owner):
+    """Do what solve() does once the curve has been read. Returns a Problem or None."""
     if is_mirrored_owner is None:
         is_mirrored_owner = is_mirrored(context.owner)
     found = context.kept(
@@ -126,6 +129,25 @@ def solve(context, matrix, splines, deformed, rail_matrix, rail_splines, rail_de
     if mirrored:
         _turn_mirrored(context.rotations, mirrored, context.settings)
     return problem
+
+
+def solve_moments(context_at, moments, splines, rail_splines):
+    """Yield (Context, Problem or None) of one moment after the other, solved as solve() does.
+
+    The curves are read anew only where their matrices are others than at the moment before; their shapes must stay what they are.
+    context_at(frame): a Context. moments: (frame, numbers, matrix of the curve, matrix of the rail), with matrices (4, 4) or None.
+    splines, rail_splines: of both; None where there is none.
+    """
+    read, course = None, None
+    for frame, numbers, *matrices in moments:
+        context = context_at(frame)
+        reads, is_mirrored_owner, in_own_space, has_rail = context.kept("fixed", None, lambda context=context: _fixed(context))
+        which = int(numbers["spline"]), in_own_space, int(numbers["rail_spline"]) if has_rail else None
+        places = which, *(None if one is None else one.tobytes() for one in matrices)
+        if places != read:
+            path, rail = (None if one is None else mathutils.Matrix(one) for one in matrices)
+            read, course = places, _course(context, which, (path, splines), (rail, rail_splines))
+        yield context, course if course.__class__ is Problem else _go(context, course, numbers, reads, is_mirrored_owner)
 
 
 def solve_rows(context, rows, matrix, splines, deformed, rail_matrix, rail_splines, rail_deformed):

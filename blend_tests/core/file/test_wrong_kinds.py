@@ -193,24 +193,22 @@ class WrongKinds(support.SceneTestCase):
             for one in test_habits.system.systems()
         }
 
-    def write(self, kind, name, values):
-        """Writes the values in turn in a property's place in all groups of a class."""
-        found = places(lambda prop: prop.identifier == name).get(kind, {}).get(name, ())
+    def write(self, name, found, values):
+        """Writes the values in turn in a property's place in groups of a class. found: pairs of places()."""
         for number, (_, raw) in enumerate(found):
             if name in raw:
                 del raw[name]  # or Blender refuses a value of another type
             if values:
                 raw[name] = values[number % len(values)]
-        return found
 
     def each(self, wanted, values):
         """Spoils one property of each class after the other, and looks at everything."""
         for number, names in enumerate(list(rounds(wanted))):
             with self.subTest(names=names), damaged_cases.raised() as errors:
                 self.reopen()
-                wrong = values(number)
-                found = [pair for kind, name in names for pair in self.write(kind, name, wrong)]
-                self.assertTrue(found)
+                wrong, found = values(number), places(wanted)
+                for kind, name in names:
+                    self.write(name, found[kind][name], wrong)
                 self.look()
                 self.assertEqual(errors, [])
 
@@ -228,10 +226,10 @@ class WrongKinds(support.SceneTestCase):
             with self.subTest(system=one.name), damaged_cases.raised() as errors:
                 self.reopen()
                 things = wrong_things()
-                for index, (kind, found) in enumerate(places(is_pointer).items()):
-                    for name in found:
+                for index, kind in enumerate(places(is_pointer).values()):
+                    for name, found in kind.items():
                         if name not in {"hub", "leader"} or number % 2:
-                            self.write(kind, name, things[(index + number) % len(things) :] + things)
+                            self.write(name, found, things[(index + number) % len(things) :] + things)
                 self.operate(names[0], calls_of(one))
                 self.assertEqual(errors, [])
 
@@ -244,9 +242,9 @@ class WrongKinds(support.SceneTestCase):
         for is_there in (True, False):
             with self.subTest(is_there=is_there), damaged_cases.raised() as errors:
                 self.reopen()
-                for kind, found in places(is_plain).items():
-                    for number, one in enumerate(found):
-                        self.write(kind, one, values[number % len(values) :] + values if is_there else [])
+                for kind in places(is_plain).values():
+                    for number, (name, found) in enumerate(kind.items()):
+                        self.write(name, found, values[number % len(values) :] + values if is_there else [])
                 self.look()
                 self.assertEqual(errors, [])
 
@@ -260,9 +258,9 @@ class WrongKinds(support.SceneTestCase):
             with self.subTest(values=values), damaged_cases.raised() as errors:
                 self.reopen()
                 owners = self.owners()
-                for kind, found in places(wanted).items():
-                    for name in found:
-                        self.write(kind, name, values)
+                for kind, names in places(wanted).items():
+                    for name in names:  # looked for anew: what was emptied may have held others
+                        self.write(name, places(lambda prop, name=name: prop.identifier == name).get(kind, {}).get(name, ()), values)
                 self.look()
                 for one, names in owners.items():
                     self.operate(names[0], calls_of(one, shared=False))

@@ -2,6 +2,7 @@
 
 import math
 
+import bpy
 import numpy as np
 
 from ..flying import flight
@@ -19,6 +20,7 @@ BALLOONS = (
     (330.0, 190.0, 70.0, 1.0, (0.92, 0.84, 0.66), (0.62, 0.07, 0.06)),
 )
 BALLOON_RADIUS = 8.0
+LIFT, RISES = 3.5, 0.12  # m by which balloons rise and sink, and how often a second
 # Profile of the balloon from the crown to the mouth: (radius, height), in balloon radii.
 BALLOON_PROFILE = (
     (0.01, 1.0),
@@ -33,8 +35,11 @@ BALLOON_PROFILE = (
 VILLAGE_CENTRE, VILLAGE_RADIUS, HOUSES = (-30.0, -178.0), 75.0, 38
 
 
-def build(collection, course, length, haze):
-    """Add gates, balloons and the village. length: of the course, m. haze: node group of the haze."""
+def build(collection, course, length, haze, is_clear):
+    """Add gates, balloons and the village.
+
+    length: of the course, m. haze: node group of the haze. is_clear: a function of arrays x and y that says where houses may stand.
+    """
     add_gates(collection, course, length, haze)
     for index, (x, y, height, size, first, second) in enumerate(BALLOONS):
         ground = float(landscape.height(np.array([x]), np.array([y]))[0])
@@ -42,7 +47,8 @@ def build(collection, course, length, haze):
         balloon = shapes.link_object(collection, mesh.name, mesh)
         balloon.location = (x, y, max(ground, landscape.WATER_LEVEL) + height)
         balloon.scale = (size,) * 3
-    add_village(collection, haze)
+        _float(balloon, index)
+    add_village(collection, haze, is_clear)
 
 
 def add_gates(collection, course, length, haze):
@@ -103,8 +109,24 @@ def _balloon_mesh(name, first, second, haze):
     )
 
 
-def add_village(collection, haze):
-    """Add houses with red roofs and a church on the lake's southern shore, as one mesh object."""
+def _float(balloon, seed):
+    """Let a balloon drift up and down on the air, by a motion driver."""
+    result = bpy.ops.motus.driver_add(
+        datablock=balloon.name,
+        data_path="location",
+        index=2,
+        function="NOISE",
+        base=balloon.location.z,
+        amplitude=LIFT,
+        speed=RISES,
+        seed=seed,
+    )
+    if result != {"FINISHED"}:
+        raise RuntimeError(f"{balloon.name} could not be given a motion driver")
+
+
+def add_village(collection, haze, is_clear):
+    """Add houses with red roofs and a church on the lake's southern shore, where is_clear(x, y), as one mesh object."""
     builder = shapes.MeshBuilder()
     index = np.arange(HOUSES)
     luck = [landscape.value_noise(index * 7.31 + k * 31.7, index * 3.17, landscape.SEED + 300 + k) for k in range(4)]
@@ -113,7 +135,7 @@ def add_village(collection, haze):
     y = VILLAGE_CENTRE[1] + distance * np.sin(bearing) * 0.6
     z = landscape.height(x, y)
     dry = (z > 1.6) & (landscape.steepness_at(x, y) < 0.35)
-    for i in index[dry]:
+    for i in index[dry & is_clear(x, y)]:
         length, width = 8.0 + 5.0 * luck[1][i], 6.0 + 1.5 * luck[2][i]
         _add_house(builder, (x[i], y[i], z[i] - 0.8), math.pi * luck[3][i], (length, width, 4.4), 3.2)
     ground = float(landscape.height(np.array([VILLAGE_CENTRE[0]]), np.array([VILLAGE_CENTRE[1]]))[0])

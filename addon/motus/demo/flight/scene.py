@@ -1,11 +1,11 @@
-"""The scene "Motus Flight": an aeroplane on a banked course over a lake."""
+"""The scene "Motus Flight": an aeroplane on a banked course over a lake, and a train on its shore."""
 
 import bpy
 
 from ..flying import aeroplane, flight
 from ..places import landscape, woods
 from ..stage import lighting, staging
-from . import cameras, props
+from . import cameras, props, railway
 
 SCENE_NAME = "Motus Flight"
 FRAMES_PER_SECOND = 24
@@ -17,7 +17,9 @@ def build(context):
     land, air, views = (staging.new_collection(scene, name) for name in ("Landscape", "Flight", "Cameras"))
     haze = _build_light(scene, land)
     landscape.build(land, haze)
-    woods.build(land, haze)
+    line = railway.add_line(land)
+    woods.build(land, haze, line.is_clear)
+    railway.build(land, line, haze)
     course, imported = flight.import_course(scene)
     _adopt(course, air, imported)
     flight.lift_course(course)
@@ -26,7 +28,7 @@ def build(context):
     lap = length / flight.SPEED
     plane = aeroplane.build(air)
     flight.fly(plane, course)
-    props.build(air, course, length, haze)
+    props.build(air, course, length, haze, line.is_clear)
     cameras.build(scene, views, course, plane, lap)
     scene.frame_start, scene.frame_end = int(flight.FIRST_FRAME), round(lap * FRAMES_PER_SECOND)
     scene.frame_set(scene.frame_start)

@@ -99,21 +99,21 @@ def add_course(collection, knots, is_cyclic=False):
 
 def course_length(course):
     """Return the approximate length of the course in metres, summed over short chords; it is precise enough for planning frames."""
-    return sum((b - a).length for a, b in _chords(course.data.splines[0]))
+    return sum((b - a).length for a, b in chords(course.data.splines[0]))
 
 
 def place_on_course(course, distance):
     """Return (position, horizontal direction of flight) at a distance along the course, in m, for placing cameras beside the course."""
     distance %= course_length(course)
-    for a, b in _chords(course.data.splines[0]):
+    for a, b in chords(course.data.splines[0]):
         distance -= (b - a).length
         if distance <= 0.0:
             break
     return b, Vector((b.x - a.x, b.y - a.y, 0.0)).normalized()
 
 
-def _chords(spline):
-    """Yield short chords along a spline, as pairs of positions."""
+def chords(spline):
+    """Yield short chords along a Bézier spline, as pairs of positions."""
     points = list(spline.bezier_points)
     for point, following in zip(points, [*points[1:], points[0]] if spline.use_cyclic_u else points[1:]):
         way = interpolate_bezier(point.co, point.handle_right, following.handle_left, following.co, 200)

@@ -1,5 +1,7 @@
 """The scene "Motus Layers": a wooden pilot walks on a small planet, and throws and jumps while he goes on walking."""
 
+import math
+
 import bpy
 from mathutils import Matrix, Vector
 
@@ -11,6 +13,20 @@ from . import planet
 SCENE_NAME = "Motus Layers"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 216
 THROW_START, JUMP_START = 44.0, 128.0
+WAVE = {
+    "upper_arm.R": ((90, 0.0, 0.0), (99, 150.0, 14.0), (117, 150.0, 14.0), (127, 0.0, 0.0)),
+    "forearm.R": (
+        (90, 0.0, 0.0),
+        (99, 30.0, -34.0),
+        (104, 30.0, 30.0),
+        (109, 30.0, -34.0),
+        (114, 30.0, 30.0),
+        (118, 30.0, -20.0),
+        (127, 0.0, 0.0),
+    ),
+    "hand.R": ((90, 0.0, 0.0), (100, 0.0, -16.0), (105, 0.0, 16.0), (110, 0.0, -16.0), (115, 0.0, 16.0), (127, 0.0, 0.0)),
+}
+"""Keys of a wave to the camera: frame, and degrees about the bone's X and Z axes."""
 TOY_SIZE = 0.075  # scale of the toy relative to the aeroplane in which pilots fly
 TOY_IN_HAND = Matrix.Translation((0.0, 0.085, 0.0)) @ Matrix.Rotation(1.2, 4, 'X')
 FLIGHT = (
@@ -39,6 +55,7 @@ def build(context):
     rig = skeleton.build(context, figure, stage)
     mannequin.build(figure, rig)
     _animate(rig)
+    _wave(scene, rig)
     _add_toy(scene, figure, rig)
     _add_camera(scene, views)
     scene.frame_set(1)
@@ -46,13 +63,32 @@ def build(context):
 
 
 def _animate(rig):
-    """Add three animation layers with the public operators: the repeated walk, and a throw and a jump on top of the walk."""
+    """Add three animation layers of actions with the public operators: the repeated walk, and a throw and a jump on top of the walk."""
     clips = {"Throw": character_clips.throw(rig), "Jump": character_clips.jump(rig), "Walk": character_clips.walk(rig)}
     character_clips.lay(rig, clips["Walk"], mask='ALL', start=1.0, after='REPEAT')
     character_clips.lay(
         rig, clips["Throw"], bones="spine.002", start=THROW_START, blend_in=7.0, blend_out=10.0, feather=1, in_armature=True
     )
     character_clips.lay(rig, clips["Jump"], mask='ALL', start=JUMP_START, blend_in=5.0, blend_out=6.0)
+
+
+def _wave(scene, rig):
+    """Key a wave into a new layer while it is edited, as it is done by hand: the keys go into the layer's action, on top of the walk."""
+    layer = {"object": rig.name, "layer": "Wave"}
+    _check(bpy.ops.motus.layer_new(bones="upper_arm.R", mode="ADDITIVE", **layer))
+    _check(bpy.ops.motus.layer_edit(**layer))
+    for name, keys in WAVE.items():
+        bone = rig.pose.bones[name]
+        for frame, ahead, aside in keys:
+            scene.frame_set(frame)
+            bone.rotation_euler = (math.radians(ahead), 0.0, math.radians(aside))
+            bone.keyframe_insert("rotation_euler", frame=frame)
+    _check(bpy.ops.motus.layer_edit(**layer))
+
+
+def _check(result):
+    if result != {"FINISHED"}:
+        raise RuntimeError("The wave could not be laid over the walk")
 
 
 def _add_toy(scene, collection, rig):

@@ -13,12 +13,15 @@ FIR_SKIRTS = ((0.10, 0.48, 0.24), (0.30, 0.66, 0.195), (0.49, 0.83, 0.145), (0.6
 CROWNS = ((0.0, 0.0, 0.62, 0.30), (0.17, 0.05, 0.5, 0.21), (-0.14, 0.12, 0.52, 0.2), (-0.03, -0.17, 0.55, 0.2))
 
 
-def build(collection, haze):
-    """Add firs everywhere and round trees near the lake. haze: node group of the haze."""
+def build(collection, haze, is_clear=None):
+    """Add firs everywhere and round trees near the lake.
+
+    haze: node group of the haze. is_clear: a function of arrays x and y that says where trees may stand; by default everywhere.
+    """
     seed = landscape.SEED + 200
-    firs = wanted_trees(26000, 1000.0, seed)
+    firs = wanted_trees(26000, 1000.0, seed, is_clear)
     add_forest(collection, "Firs", add_conifer(collection, haze), firs, (6.0, 11.5), seed + 1)
-    round_trees = wanted_trees(9000, 700.0, seed + 10)
+    round_trees = wanted_trees(9000, 700.0, seed + 10, is_clear)
     add_forest(collection, "Round Trees", add_broadleaf(collection, haze), round_trees, (4.5, 8.0), seed + 11)
 
 
@@ -29,14 +32,15 @@ def random_places(count, radius, seed):
     return ((landscape.lattice(index, zero + axis, seed) * 2.0 - 1.0) * radius for axis in (0, 1))
 
 
-def wanted_trees(count, radius, seed):
-    """Return places (m, 3) for trees: dense in the woods, a few on the meadows, none in water or on rock."""
+def wanted_trees(count, radius, seed, is_clear=None):
+    """Return places (m, 3) for trees: dense in the woods, a few on the meadows, none in water or on rock, nor where is_clear(x, y) is False."""
     x, y = random_places(count, radius, seed)
     z, steepness = landscape.height(x, y), landscape.steepness_at(x, y)
     chance = np.maximum(landscape.wood_share(x, y, z, steepness), 0.035 * (z > 3.0) * (z < 150.0) * (steepness < 0.6))
     luck = landscape.lattice(np.arange(count), np.full(count, 2), seed)
     keep = luck < chance
-    return np.column_stack((x, y, z - 0.3))[keep]
+    places = np.column_stack((x, y, z - 0.3))[keep]
+    return places if is_clear is None else places[is_clear(places[:, 0], places[:, 1])]
 
 
 def add_forest(collection, name, tree, places, sizes, seed):

@@ -458,7 +458,7 @@ INTERFACE = {
     # Demo scenes
     "A window is needed to show the new scene": "Hace falta una ventana para mostrar la escena nueva",
     "Banked Flight": "Vuelo peraltado",
-    "An aeroplane on a curved course over a lake, with a chasing camera": "Un avión en un recorrido curvo sobre un lago, con una cámara que lo persigue",
+    "An aeroplane on a curved course over a lake, with a chasing camera, and a train on the shore": "Un avión en un recorrido curvo sobre un lago, con una cámara que lo persigue, y un tren en la orilla",
 }
 
 OWN_SENSE = {

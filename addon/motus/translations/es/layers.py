@@ -121,7 +121,7 @@ INTERFACE = {
     "On Top": "Encima",
     "Adds what the action does beyond its first frame, again and again": "Suma una y otra vez lo que la acción hace más allá de su primer fotograma",
     "Walk on a Small Planet": "Paseo por un planeta pequeño",
-    "A wooden pilot walks on a planet that turns beneath him, and throws an aeroplane and jumps by layers of animation": "Un piloto de madera camina sobre un planeta que gira bajo él, y lanza un avión y salta mediante capas de animación",
+    "A wooden pilot walks on a planet that turns beneath him, and throws an aeroplane, waves and jumps by layers of animation": "Un piloto de madera camina sobre un planeta que gira bajo él, y lanza un avión, saluda y salta mediante capas de animación",
     "Key the pose of the selected bones into the action of the active layer, so that it is seen as it is now": "Insertar claves de la pose de los huesos seleccionados en la acción de la capa activa, de modo que se vea como ahora",
     "Names of bones, with commas between; empty takes the selected ones": "Nombres de huesos, separados por comas; vacío toma los seleccionados",
     "What is keyed": "Qué recibe claves",
