@@ -1,5 +1,9 @@
 """One small scene of each system, all of it at work, and where everything in it really is."""
 
+import atexit
+import tempfile
+from pathlib import Path
+
 import bpy
 import numpy as np
 
@@ -15,6 +19,10 @@ from pull.pins import pin_cases
 from walker import walker_cases
 
 FRAMES = (1, 13, 25.5, 40)
+_folder = tempfile.TemporaryDirectory(prefix="motus-test-")
+atexit.register(_folder.cleanup)
+FILE = Path(_folder.name, "live scenes.blend")
+"""What saved() has saved in this process."""
 
 
 def build():
@@ -38,6 +46,20 @@ def build():
     sprung = support.link("Sprung", location=(0.0, -2.0, 0.0))
     support.key_places(sprung, {1: (0.0, -2.0, 0.0), 10: (1.0, -2.0, 0.0), 40: (0.0, -2.0, 1.0)})
     bpy.ops.motus.driver_add(datablock=sprung.name, data_path="location", index=0, function='SECOND_ORDER')
+    bpy.context.view_layer.update()
+
+
+def saved():
+    """Path of a file with what build() makes, which the first call makes from the open scene; later ones leave that scene as it is."""
+    if not FILE.exists():
+        build()
+        bpy.ops.wm.save_as_mainfile(filepath=str(FILE), copy=True)
+    return str(FILE)
+
+
+def opened():
+    """What build() makes, as it is when it was saved and opened again."""
+    bpy.ops.wm.open_mainfile(filepath=saved())
     bpy.context.view_layer.update()
 
 

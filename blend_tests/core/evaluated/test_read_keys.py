@@ -117,7 +117,7 @@ def remove_all(curves):
 class EditedKeysTest(support.SceneTestCase):
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
         self.go_to(FRAME)
 
     @staticmethod
@@ -224,7 +224,7 @@ class CallsTest(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
         bpy.context.scene.frame_set(FRAME)
         # What was read on a frame that was only gone to nobody knows.
         self.calls(insert, "Crane", ["location"])

@@ -139,7 +139,7 @@ class Layout(test_habits.Layout):
 class WrongKinds(support.SceneTestCase):
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
         bpy.context.scene.frame_set(13)
         bpy.context.scene.frame_end = 3
         self.path = str(self.folder / "live.blend")

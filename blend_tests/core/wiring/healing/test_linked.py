@@ -12,9 +12,7 @@ class LinkedTestCase(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        live_scenes.build()
-        path = str(self.folder / "library.blend")
-        bpy.ops.wm.save_as_mainfile(filepath=path)
+        path = live_scenes.saved()
         support.empty_scene()
         with bpy.data.libraries.load(path, link=True) as (found, wanted):
             wanted.objects = [name for name in found.objects if not name.startswith(".Motus")]
@@ -22,8 +20,8 @@ class LinkedTestCase(support.SceneTestCase):
             bpy.context.scene.collection.objects.link(obj)
         self.wanted = live_scenes.states()
 
-    def assert_as_before(self, msg):
-        for frame, state in live_scenes.states().items():
+    def assert_as_before(self, msg, frames=live_scenes.FRAMES):
+        for frame, state in live_scenes.states(frames).items():
             for key, found in state.items():
                 np.testing.assert_allclose(found, self.wanted[frame][key], atol=1e-6, err_msg=f"{msg}: {key} at {frame}")
 
@@ -61,7 +59,8 @@ class OperatorsTest(LinkedTestCase):
                     called += 1
                     self.assertEqual(bpy.context.mode, 'OBJECT', f"{name} of {obj}")
             if keywords:
-                self.assert_as_before(name)
+                self.assert_as_before(name, frames=(25.5,))
+        self.assert_as_before("all of them")
         self.assertGreater(called, 100)
 
 
