@@ -1,5 +1,7 @@
 """What follows a path is known at any times, for systems that need its past."""
 
+import unittest.mock
+
 import bpy
 import numpy as np
 
@@ -99,6 +101,26 @@ class OverTime(PathTestCase):
         bpy.ops.motus.unbake(object="Car")
         bpy.data.objects.remove(course)
         self.assertEqual(len(self.track(car).values(FRAMES)), len(FRAMES))
+
+    def test_what_does_not_move_is_read_and_planned_once_for_many_frames(self):
+        course, solve = self.cubic(), support.addon("path.solve")
+        car = self.follow()
+        frames = np.arange(1.0, 60.0, 0.5)
+        wanted = self.track(car).values(frames)
+
+        def counted():
+            with (
+                unittest.mock.patch.object(solve.curves, "_read_bezier", wraps=solve.curves._read_bezier) as read,
+                unittest.mock.patch.object(solve, "_still", wraps=solve._still) as planned,
+            ):
+                np.testing.assert_array_equal(self.track(car).values(frames), wanted)
+            return read.call_count, planned.call_count
+
+        self.assertEqual(counted(), (1, 1))
+        for frame in (1, 60):
+            course.keyframe_insert("location", frame=frame)
+            self.key(car, "offset", (frame, 0.0))
+        self.assertEqual(counted(), (1, len(frames)))
 
     def test_curve_parented_to_its_follower_is_unknown_over_time(self):
         """A curve that hangs on what follows it."""

@@ -105,7 +105,8 @@ def _set_size(scene, width):
 def render_still(shot, scene, folder, quality, progress, width):
     """Write flight_01.png and so on; returns the file."""
     began = progress.seconds()
-    if not _use_cycles(scene, quality, shot.end - began):
+    is_panorama = bool(shot.scene.stereo) and shot.scene.stereo[shot.still] == "VR180"
+    if not _use_cycles(scene, quality, shot.end - began, at_any_price=is_panorama):
         _use_eevee(shot.scene, scene, quality.still_samples, reflections=True)
     _set_size(scene, width)
     _set_format(scene, "PNG")
@@ -133,7 +134,7 @@ def _set_stereo(shot, scene):
     output = shot.scene.stereo[shot.still] if shot.scene.stereo else ""
     scene.render.use_multiview = bool(output)
     if output == "VR180" and scene.render.engine != "CYCLES":
-        output = "SIDEBYSIDE"  # only Cycles renders a panorama to both eyes
+        output = "SIDEBYSIDE"  # EEVEE has no panorama
     keywords = {"LEAST_SQUARES": {"format": "PAIR"}, "VR180": {"format": "SIDEBYSIDE", "use_360": True, "use_180": True}}
     if output:
         bpy.ops.motus.stereo_output(object=scene.camera.name, **keywords.get(output, {"format": output}))
@@ -166,15 +167,23 @@ def _resume_cuts(scene, cuts):
         scene.timeline_markers.new(name, frame=frame).camera = camera
 
 
-def _use_cycles(scene, quality, seconds):
-    """Choose Cycles where this Blender has it, with a denoiser for the processor; says whether it does."""
+def _use_cycles(scene, quality, seconds, at_any_price):
+    """Choose Cycles where this Blender has it, with a denoiser for the processor; says whether it does.
+
+    at_any_price: without a denoiser too, if there is none.
+    """
     try:
         scene.render.engine = "CYCLES"
-        settings = scene.cycles
-        settings.denoiser = "OPENIMAGEDENOISE"
     except TypeError:  # builds without it leave it out of the enum, which can only be asked this way
         return False
+    settings = scene.cycles
     settings.use_denoising = True
+    try:
+        settings.denoiser = "OPENIMAGEDENOISE"
+    except TypeError:
+        if not at_any_price:
+            return False
+        settings.use_denoising = False
     settings.samples = quality.path_samples
     # The limit counts neither the preparation nor the denoising.
     settings.time_limit = min(quality.still_seconds, max(0.7 * seconds, 4.0))

@@ -23,7 +23,7 @@ SLEEPER = (2.2, 0.35, 0.18)  # m, across, along, up
 BANK = ((-7.6, -6.0), (-1.7, -0.12), (1.7, -0.12), (7.6, -6.0))
 
 SPEED = 13.0  # m/s
-START = 0.91  # share of the line at which the engine is at first
+START = 0.95  # share of the line at which the engine is at first
 WAGONS, LENGTH, WIDTH, WHEELBASE, GAP = 5, 8.4, 2.5, 5.6, 9.2  # m
 FLOOR, WHEEL = 0.95, 0.42  # m: height of the floors above the rails, radius of the wheels
 COLORS = ((0.62, 0.07, 0.06), (0.86, 0.72, 0.44))  # of every second wagon
