@@ -123,7 +123,7 @@ def render_still(shot, scene, folder, quality, progress, width):
     else:
         bpy.ops.render.render(write_still=True)
     if output == "VR180":
-        scene.camera.data.type = "PERSP"
+        scene.camera.data.type, scene.camera.motus.stereo.convergence = "PERSP", "BUDGET"
     _resume_cuts(scene, cuts)
     progress.say(f"{file}: {width} pixels wide, {progress.seconds() - began:.0f} s")
     return file
@@ -135,6 +135,8 @@ def _set_stereo(shot, scene):
     scene.render.use_multiview = bool(output)
     if output == "VR180" and scene.render.engine != "CYCLES":
         output = "SIDEBYSIDE"  # EEVEE has no panorama
+    if output == "VR180":
+        scene.camera.motus.stereo.convergence = "DISTANCE"  # around a camera there is no budget of depth
     keywords = {"LEAST_SQUARES": {"format": "PAIR"}, "VR180": {"format": "SIDEBYSIDE", "use_360": True, "use_180": True}}
     if output:
         bpy.ops.motus.stereo_output(object=scene.camera.name, **keywords.get(output, {"format": output}))
