@@ -10,14 +10,35 @@ PACKAGE = __package__.removesuffix(".core.interface.view")
 _SHELF = "show_region_asset_shelf"
 
 
+_TRIES, _PAUSE = 20, 0.1
+"""How often, and after how many seconds, Blender is asked whether the region can be opened."""
+
+
 def _show_shelf(own, context):
-    """Open Blender's region for asset shelves in the viewport when the preset shelf is switched on; afterwards restore the region."""
-    space = viewports.space_for(context)
-    if space is not None:
-        if own.show_preset_shelf:
-            viewports.change(space, {_SHELF: True})
-        else:
+    """Open Blender's region for asset shelves in the viewports when the preset shelf is switched on; afterwards restore the regions.
+
+    The region can be opened once Blender has found that there is a shelf to show, which it looks for when it draws the viewport.
+    """
+    if not own.show_preset_shelf:
+        for space in _changeable(context):
             viewports.restore(space, {_SHELF: False})
+        return
+    left = iter(range(_TRIES))
+
+    def open_regions():
+        found = _changeable(bpy.context)
+        for space in found:
+            viewports.change(space, {_SHELF: True})
+        return None if found or next(left, None) is None else _PAUSE
+
+    viewports.redraw()
+    bpy.app.timers.register(open_regions, first_interval=_PAUSE)
+
+
+def _changeable(context):
+    """The SpaceView3D of all viewports in the open windows whose region for asset shelves can be opened and closed."""
+    areas = [area for window in context.window_manager.windows for area in window.screen.areas if area.type == 'VIEW_3D']
+    return [area.spaces.active for area in areas if not area.spaces.active.is_property_readonly(_SHELF)]
 
 
 class MOTUS_AP_preferences(bpy.types.AddonPreferences):
