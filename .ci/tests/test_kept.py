@@ -21,6 +21,7 @@ NO_CACHE = {
     "core/blender/frames.py": ("_reading", "how many evaluations go on whose results are read"),
     "core/evaluated/shares.py": ("_edits _waits", "the number of edits, and whether all work is waited for"),
     "core/file/deleted.py": ("_stood _deleted _is_new _changes", "which objects have been deleted since the file was opened"),
+    "core/interface/assets/shelf.py": ("_undo", "how to take back what was registered"),
     "core/interface/menus.py": ("_entries", "entries of menus"),
     "core/interface/overlay.py": ("_handler _failed", "the handler that draws, and what it has warned of"),
     "core/interface/panels.py": ("menus_of_scenes", "entries of menus"),

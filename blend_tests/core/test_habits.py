@@ -261,7 +261,7 @@ class Panels(support.SceneTestCase):
                 layout = Layout()
                 menu.draw(types.SimpleNamespace(layout=layout), bpy.context)
                 copying = (
-                    [panels.COPY, panels.PASTE, "motus.to_selected"]
+                    [panels.COPY, panels.PASTE, panels.KEEP, "motus.to_selected"]
                     if getattr(system.registered[panel.name], "copied_settings", ())
                     else []
                 )
@@ -276,7 +276,7 @@ class Panels(support.SceneTestCase):
 
         def taken(one, owner):
             """Values of the settings that have no keys, and the keys of the others."""
-            values, keys = copied.take(one, copying._item(bpy.context, one, owner.name, ""))[1:]
+            values, keys = copied.take(one, copying.found_item(bpy.context, one, owner.name, ""))[1:]
             return {name: value for name, value in values.items() if name not in keys}, keys
 
         for name, owner in found.items():

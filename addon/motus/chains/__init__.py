@@ -15,6 +15,7 @@ SYSTEM = System(
     reads_keys=True,
     copied_settings=(*properties.KEYWORDS, "weight", "hold_end"),
     shot_settings=frozenset({"weight", "hold_end"}),
+    adder="motus.chains_add",
     groups=groups.groups,
     entries=groups.entries,
     prepare=setup.prepare,

@@ -8,8 +8,9 @@ from .evaluated import read_keys, shares
 from .file import deleted
 from .interface import menus, overlay, panels, ui
 from .interface.any_system import baking, copying, refreshing
+from .interface.assets import dragging as asset_dragging, giving, making, shelf
 from .interface.tracks import operators as track_operators, panel as track_panel
-from .interface.view import first_steps, playback, viewports
+from .interface.view import first_steps, playback, preferences, viewports
 
 _undo = []
 _FORGETTING = handlers.Forgetting(keeping.forget_file, keeping.forget_all)
@@ -47,10 +48,14 @@ def _register(systems, languages, extra_classes, extra_add_menu):
         + bake.classes
         + baking.classes
         + refreshing.classes
+        + preferences.classes
         + first_steps.classes
         + track_operators.classes
         + panels.classes_of_core
         + copying.classes
+        + making.classes
+        + giving.classes
+        + asset_dragging.classes
         + menus.classes
         + extra_classes
     )
@@ -65,6 +70,7 @@ def _register(systems, languages, extra_classes, extra_add_menu):
     _call(overlay.register, overlay.unregister)
     _call(lambda: None, playback.unregister)  # drawing a read-out adds the handler
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
+    _call(shelf.register, shelf.unregister)
     _call(lambda: panels.menus_of_scenes.extend(extra_add_menu), panels.menus_of_scenes.clear)
     _call(lambda: translations.register(languages), translations.unregister)
     for one in systems:

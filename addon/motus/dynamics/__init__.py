@@ -13,6 +13,7 @@ SYSTEM = System(
     problems=solve.PROBLEMS,
     reads_keys=True,
     copied_settings=(*properties.KEYWORDS, "mass", "shape"),
+    adder="motus.dynamics_add",
     groups=groups.groups,
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,

@@ -26,6 +26,7 @@ SYSTEM = System(
     owner_types=frozenset({'CAMERA'}),
     solve=solve.solve,
     copied_settings=properties.KEYWORDS,
+    adder="motus.stereo_rig_add",
     problems=solve.PROBLEMS,
     outputs=rig.OUTPUTS,
     groups=rig.groups,

@@ -151,3 +151,16 @@ def has_blended_surfaces() -> bool:
 def has_dialog_titles() -> bool:
     """Whether an operator's dialog may have a title that differs from the operator's label (since Blender 4.1)."""
     return "title" in _rna(bpy.types.WindowManager).functions["invoke_props_dialog"].parameters
+
+
+def has_asset_shelves() -> bool:
+    """Whether add-ons can show assets in a shelf at the bottom of a 3D viewport (since Blender 4.2).
+
+    Motus does not use the first form of shelves, which 4.0 and 4.1 have.
+    """
+    return bpy.app.version >= (4, 2, 0)
+
+
+def has_drags_from_shelves() -> bool:
+    """Whether an asset shelf calls an operator when an asset is dragged from it (since Blender 5.0). Before, keys of the shelf call it."""
+    return has_asset_shelves() and "bl_drag_operator" in _rna(bpy.types.AssetShelf).properties

@@ -59,7 +59,8 @@ class System(Feature):
     constraints, and all other systems start from the resulting pose, which solve() passes to rigs.lay().
     reads_keys: whether solve() reads keyframes of other frames; it is called again if they are edited (core/evaluated/read_keys.py).
     groups: function of the owner that returns Groups, in place of `channels` and `members`. entries: function of the owner that returns an
-    Entry for each item in the owner's list of settings. copied_settings, shot_settings: names (core/settings/copied.py). bone_renamed:
+    Entry for each item in the owner's list of settings. copied_settings, shot_settings: names (core/settings/copied.py). adder: operator
+    that sets the system up on an object, or on bones of it, given by the keywords `object` and `bones` alone; "" for none. bone_renamed:
     called with the owner, a rig, and the old and the new name of a bone of the rig that the owner drives or reads. moves_points: whether
     solve() moves the points of the owner's mesh, by a modifier; there are no members then. makes_points: Points that solve() makes, by a
     modifier; None if it makes none. dress: called with the owner if Blender has lost what the modifier was given, such as by
@@ -108,6 +109,7 @@ class System(Feature):
     solve_rows: Callable[..., Any] | None = None
     copied_settings: tuple[str, ...] = ()
     shot_settings: frozenset[str] = frozenset()
+    adder: str = ""
     owner_of: Callable[..., Any] | None = None
     owner_types: frozenset[str] = frozenset()
     former_names: Mapping[str, str] = field(default_factory=dict, hash=False)

@@ -17,7 +17,7 @@ from ..translations import tr
 from . import bone_entries, overlay, ui
 from .view import first_steps, offering
 
-COPY, PASTE, REFRESH = "motus.settings_copy", "motus.settings_paste", "motus.refresh"
+COPY, PASTE, KEEP, REFRESH = "motus.settings_copy", "motus.settings_paste", "motus.asset_keep", "motus.refresh"
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ def _menu(panel, name):
     def draw(self, context):
         layout = offering.offer(self.layout)
         if getattr(registered[panel.name], "copied_settings", ()):
-            for operator, icon in ((COPY, 'COPYDOWN'), (PASTE, 'PASTEDOWN')):
+            for operator, icon in ((COPY, 'COPYDOWN'), (PASTE, 'PASTEDOWN'), (KEEP, 'ASSET_MANAGER')):
                 button = layout.operator(operator, icon=icon)
                 button.system, button.object = panel.name, panel.owner(context).name
             layout.operator(bone_entries.TO_SELECTED).system = panel.name

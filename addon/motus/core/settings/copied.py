@@ -82,12 +82,15 @@ def as_text(copied):
     return text
 
 
-def from_text(text):
-    """The settings in a text, of which the values and F-curves are not checked yet. Raises Refused if the text has no settings."""
+def from_text(text, without_settings):
+    """The settings in a text, of which the values and F-curves are not checked yet. Raises Refused if the text has no settings.
+
+    without_settings: sentence with which a text without settings is refused.
+    """
     try:
         read = stored.parse(text, _TEXT)
     except stored.Damaged:
-        raise Refused(tr("There are no copied settings in the clipboard: use Copy Settings first")) from None
+        raise Refused(without_settings) from None
     if read["motus"] > FORMAT:
         raise Refused(tr("These settings were copied by a newer version of Motus"))
     return Copied(read["system"], read["values"], read["keys"])

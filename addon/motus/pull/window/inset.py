@@ -4,11 +4,11 @@ import logging
 import math
 
 import bpy
-from mathutils import Matrix, Vector
+from mathutils import Vector
 
 from ...core import native
 from ...core.blender import capabilities
-from ...core.interface.view import drawing, viewports
+from ...core.interface.view import drawing, framing, viewports
 from . import hover, stage
 
 log = logging.getLogger(__name__)
@@ -24,10 +24,6 @@ TURN = math.radians(90.0)
 """Angle about the vertical axis between the inset's view and the viewport's view."""
 RISE = math.radians(25.0)
 """Elevation of the inset's view above the horizon; larger if the viewport looks from straight above or below."""
-LENS = 2.4
-"""Focal length of the inset's view, in units of half the picture's height."""
-BORDER = 1.1
-"""Margin around the shown box in the inset, as a factor on the size of the box in the picture."""
 SMALLEST = 96
 SIDES = {'UI', 'TOOLS'}
 SHELVES = {'ASSET_SHELF', 'ASSET_SHELF_HEADER'}
@@ -102,22 +98,7 @@ def camera(view_rotation, corners, aspect):
     is_level = abs(backward.z) < 0.9
     rise = RISE if is_level else 1.4 * RISE
     toward = Vector((math.cos(rise) * math.cos(azimuth), math.cos(rise) * math.sin(azimuth), math.sin(rise)))
-    rotation = toward.to_track_quat('Z', 'Y')
-    center = sum(corners, Vector()) / len(corners)
-    radius = max(1e-6, *((corner - center).length for corner in corners))
-    seen = [rotation.inverted() @ (corner - center) for corner in corners]
-    distance = max(place.z + BORDER * LENS * max(abs(place.x) / aspect, abs(place.y), 0.1 * radius) for place in seen)
-    view = Matrix.LocRotScale(center + distance * toward, rotation, None).inverted()
-    near, far = max(distance - 2.0 * radius, distance * 0.01), distance + 50.0 * radius
-    projection = Matrix(
-        (
-            (LENS / aspect, 0.0, 0.0, 0.0),
-            (0.0, LENS, 0.0, 0.0),
-            (0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)),
-            (0.0, 0.0, -1.0, 0.0),
-        )
-    )
-    return view, projection
+    return framing.camera(toward.to_track_quat('Z', 'Y'), corners, aspect)
 
 
 def _is_wanted(context):

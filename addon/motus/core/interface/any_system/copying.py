@@ -18,7 +18,7 @@ def _system_keyword(description):
     return bpy.props.StringProperty(name="System", description=description, options={'SKIP_SAVE'})
 
 
-def _system(name):
+def found_system(name):
     """The system of this name. Raises Refused if there is none whose settings can be copied."""
     system = registered.get(name)
     if not getattr(system, "copied_settings", ()):
@@ -30,20 +30,20 @@ def _refuse_missing(system):
     raise Refused(tr("Nothing here has {system}").format(system=bpy.app.translations.pgettext_iface(system.label)))
 
 
-def _owner(system, obj):
-    """The object whose settings of a system count for an object: itself, its leader, or whom it belongs to. Raises Refused without one."""
+def owner_of(system, obj):
+    """The object whose settings of a system count for an object: itself, its leader, or whom it belongs to; None without one."""
     found = obj if is_owner(system, obj) else leader_of(system, obj) or (system.owner_of and system.owner_of(obj))
-    if found is None or not is_owner(system, found):
-        _refuse_missing(system)
-    return found
+    return found if found is not None and is_owner(system, found) else None
 
 
-def _item(context, system, name, entry):
+def found_item(context, system, name, entry):
     """The item (core/settings/copied.py) of the object of this name, or of the active object if the name is empty.
 
     entry: name of the entry; empty takes the shown one. Raises Refused if there is no such item.
     """
-    owner = _owner(system, named_or_active(context, name))
+    owner = owner_of(system, named_or_active(context, name))
+    if owner is None:
+        _refuse_missing(system)
     if not copied.has_list(system):
         return of_owner(system, owner)
     found = of_owner(system, owner).entries.get(entry) if entry else entries.active(owner, system.name)
@@ -54,7 +54,7 @@ def _item(context, system, name, entry):
     return found
 
 
-class _Copying(Operator):
+class Copying(Operator):
     """Mixin of operators that give settings: what else they give than the values of the settings."""
 
     modes = OBJECT_OR_POSE_MODE
@@ -75,7 +75,7 @@ class _Copying(Operator):
         copied.give(system, items, what, copied.names_of(system, self.with_shot), self.with_keys)
 
 
-class MOTUS_OT_to_selected(_Copying, bpy.types.Operator):
+class MOTUS_OT_to_selected(Copying, bpy.types.Operator):
     bl_idname = bone_entries.TO_SELECTED
     bl_label = "To All Selected"
     bl_description = (
@@ -99,7 +99,7 @@ class MOTUS_OT_to_selected(_Copying, bpy.types.Operator):
             raise Refused(tr("Select what shall be given these settings too"))
 
     def run(self, context):
-        system = _system(self.system)
+        system = found_system(self.system)
         first, *others = self._items(context, system)
         if not others:
             raise Refused(tr("Nothing else that is selected has {system}").format(system=bpy.app.translations.pgettext_iface(system.label)))
@@ -109,12 +109,12 @@ class MOTUS_OT_to_selected(_Copying, bpy.types.Operator):
     def _items(self, context, system):
         """List of the item whose settings are copied, followed by the items that receive them. Raises Refused if one is missing."""
         if not copied.has_list(system):
-            first = _item(context, system, self.object, "")
+            first = found_item(context, system, self.object, "")
             owners = [obj for obj in context.selected_objects if is_owner(system, obj) and obj != first.id_data]
             return [first, *(of_owner(system, owner) for owner in owners)]
         if self.object or self.bone or self.bones:
             bones = [name.strip() for name in self.bones.split(",") if name.strip()]
-            return [_item(context, system, self.object, name) for name in (self.bone, *bones)]
+            return [found_item(context, system, self.object, name) for name in (self.bone, *bones)]
         found = bone_entries.selected(context, system.name)
         if not found:
             _refuse_missing(system)
@@ -134,8 +134,8 @@ class MOTUS_OT_settings_copy(Operator, bpy.types.Operator):
     )
 
     def run(self, context):
-        system = _system(self.system)
-        text = copied.as_text(copied.take(system, _item(context, system, self.object, self.entry)))
+        system = found_system(self.system)
+        text = copied.as_text(copied.take(system, found_item(context, system, self.object, self.entry)))
         if bpy.app.background:
             _WITHOUT_CLIPBOARD.add("", text)
         else:
@@ -143,7 +143,7 @@ class MOTUS_OT_settings_copy(Operator, bpy.types.Operator):
         self.report({'INFO'}, tr("Settings copied to the clipboard"))
 
 
-class MOTUS_OT_settings_paste(_Copying, bpy.types.Operator):
+class MOTUS_OT_settings_paste(Copying, bpy.types.Operator):
     bl_idname = panels.PASTE
     bl_label = "Paste Settings"
     bl_description = "Give the settings that are shown the values that Copy Settings has put into the clipboard"
@@ -158,10 +158,12 @@ class MOTUS_OT_settings_paste(_Copying, bpy.types.Operator):
     )
 
     def run(self, context):
-        system = _system(self.system)
-        what = copied.from_text(self.text or self._clipboard(context))
+        system = found_system(self.system)
+        what = copied.from_text(
+            self.text or self._clipboard(context), tr("There are no copied settings in the clipboard: use Copy Settings first")
+        )
         copied.check(system, what)
-        self.give(system, [_item(context, system, self.object, self.entry)], what)
+        self.give(system, [found_item(context, system, self.object, self.entry)], what)
 
     def _clipboard(self, context):
         return _WITHOUT_CLIPBOARD.find("", "") if bpy.app.background else context.window_manager.clipboard
