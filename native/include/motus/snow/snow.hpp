@@ -64,6 +64,7 @@ struct SnowSettings {
         std::vector<GradientStop>(1);  ///< positions rising; linear between; its first colour counts
 
     double rate = 5.0;      ///< flakes a second, >= 0
+    RateKeys rate_keys;     ///< in place of it, by the time of the snow
     double delay = 0.0;     ///< >= 0
     double duration = 5.0;  ///< >= 0
     bool looping = true;    ///< flakes are born for ever, whatever the duration is
@@ -99,6 +100,8 @@ struct SnowSettings {
     double gusts = 0.0;                   ///< how much the wind varies, fraction of it, >= 0
     double gust_frequency = 0.3;          ///< 1/s, (0, 1000]
 
+    double period = 0.0;  ///< s, after which gusts and turbulent air are as they were, [1e-6, 1e30]; 0: never
+
     double turbulence = 0.0;       ///< root mean square of the velocity of turbulent air, m/s, >= 0
     double turbulence_size = 1.0;  ///< of its eddies, m, > 0
 
@@ -115,6 +118,7 @@ struct SnowSettings {
 
     std::vector<double> emitter_times;         ///< strictly rising; held before the first and after the last
     std::vector<glm::dmat4> emitter_matrices;  ///< one for each time; none: the identity
+    double inherited = 0.0;  ///< share of the velocity of the emitter's origin that flakes leave with as well
 };
 
 /// Arrays of as many rows as there are living flakes; empty ones are not filled.
