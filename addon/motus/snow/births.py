@@ -18,7 +18,7 @@ PARTS = 4
 """Number of samples from one key, or whole frame, to the next; between samples the library moves and turns evenly."""
 WIND, RATE = "motus.snow.wind", "motus.snow.rate"
 JOINT = 1e-6
-"""Share of a loop's time in which a wind that is repeated goes from the end of the loop to its start."""
+"""Share of a loop's time in which what is repeated goes from the end of the loop to its start."""
 CALM = 0.0, 0.0, 0.0
 
 
@@ -35,6 +35,11 @@ class Poses(NamedTuple):
 
     __eq__, __hash__ = is_same, hash_of  # type: ignore[misc]
 
+    def repeated(self, period, until):
+        """The Poses of a loop, whose samples are from 0 to its period, over and over until a time. period, until: seconds."""
+        seconds, laps = _repeated(self.seconds, period, until)
+        return self._replace(stamp=(self.stamp, period, laps), seconds=seconds, matrices=np.tile(self.matrices, (laps, 1, 1)))
+
 
 class Winds(NamedTuple):
     """Velocities of the air over time. seconds: (k,), of the snow's own time, rising. velocities: (k, 3), m/s, world space.
@@ -50,11 +55,8 @@ class Winds(NamedTuple):
 
     def repeated(self, period, until):
         """The Winds of a loop, whose samples are from 0 to its period, over and over until a time. period, until: seconds."""
-        laps = math.ceil(until / period)
-        seconds, last = self.seconds.copy(), self.seconds[-1]
-        seconds[-1] = max(last - JOINT * period, 0.5 * (last + seconds[-2]))
-        every = (seconds + period * np.arange(laps)[:, None]).ravel()
-        return Winds((self.stamp, period, laps), every, np.tile(self.velocities, (laps, 1)))
+        seconds, laps = _repeated(self.seconds, period, until)
+        return Winds((self.stamp, period, laps), seconds, np.tile(self.velocities, (laps, 1)))
 
 
 class Rates(NamedTuple):
@@ -125,6 +127,16 @@ def moving(moved, frame, longest, clock, loop=None):
     return found and Poses(*found[:2], found[2][0], found[3])
 
 
+def going(moved, frame, longest, clock, loop=None):
+    """Return the Poses of a collider that moves, over the whole lives of the flakes of a frame; None if they are not finite.
+
+    moved: Track of the collider, whose values are known. longest, clock, loop: as in over_time().
+    """
+    found = _over_lives([moved], clock.later(frame, longest), 2.0 * longest, clock, loop)
+    poses = found and Poses(*found[:2], found[2][0], found[3])
+    return poses.repeated(loop.period, loop.period + longest) if poses and loop else poses
+
+
 def winds(emitter, frame, longest, clock, loop=None):
     """Return (wind over the lives of the flakes of a frame, whether the wind is known at all these times).
 
@@ -191,6 +203,14 @@ def _over_lives(moved, frame, longest, clock, loop):
         return None
     # If changes of the motion cannot be detected, the stamp differs from every stamp before.
     return (object() if stamp is None else (stamp, name)), seconds, values, (first, last)
+
+
+def _repeated(seconds, period, until):
+    """Return (rising times of samples that are repeated until a time, number of repetitions). seconds: (k,), from 0 to the period."""
+    laps = math.ceil(until / period)
+    seconds, last = seconds.copy(), seconds[-1]
+    seconds[-1] = max(last - JOINT * period, 0.5 * (last + seconds[-2]))
+    return (seconds + period * np.arange(laps)[:, None]).ravel(), laps
 
 
 def rate_track(owner):

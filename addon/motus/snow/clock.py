@@ -16,6 +16,8 @@ TOO_SHORT = Problem("The loop is too short for flakes that live so long: make it
 PROBLEMS = UNKNOWN, NO_LOOP, TOO_SHORT
 SHORTEST = 1e-3
 """Least own time of a loop, in seconds."""
+FAR = 4096.0
+"""Frames for which the motion of colliders ahead of a frame counts, if it is not known how far flakes live into it."""
 MOST_LAPS = 4096
 """Most loops for which a flake may live."""
 
@@ -54,6 +56,10 @@ class Clock(NamedTuple):
         if self.keyed is None and self.speed > 0.0:
             return frame - seconds * self.fps / self.speed
         return min(frame, self.start)
+
+    def later(self, frame, seconds):
+        """Frame that is at least so many own seconds after a frame, or far beyond it if the speed is keyed or 0."""
+        return frame + (seconds * self.fps / self.speed if self.keyed is None and self.speed > 0.0 else FAR)
 
     @property
     def stamp(self):
@@ -100,8 +106,11 @@ def looped(settings, clock, longest):
     """
     if not settings.use_loop:
         return clock, None, None
-    own = clock._replace(start=settings.loop_start)
-    loop = Loop(settings.loop_start, settings.loop_end, own.seconds(settings.loop_end))
-    if not (loop.end > loop.start and loop.period >= SHORTEST):
+    start, end = float(settings.loop_start), float(settings.loop_end)
+    own = clock._replace(start=start)
+    loop = Loop(start, end, own.seconds(end))
+    if loop.end <= loop.start:
         return clock, None, NO_LOOP
+    if loop.period < SHORTEST:  # time stands still
+        return clock, None, None
     return own, loop, None if loop.laps(longest) <= MOST_LAPS else TOO_SHORT

@@ -140,11 +140,11 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
     if poses is None or wind is None or rate is None:
         return flakes.NOT_FINITE
     acceleration = tuple(scene.gravity) if scene.use_gravity else (0.0, 0.0, 0.0)
-    barrier, fault = colliders.barrier(context) if read.lands else (None, None)
+    barrier, carriers, fault = colliders.barrier(context, own, loop, read.life) if read.lands else (None, (), None)
     count = 0.0
     if loop:
         keywords, rate, count = flakes.looped(keywords, rate, loop.period)
-    snow = flakes.made(keywords, acceleration, poses, wind, rate, faces, angles, barrier)
+    snow = flakes.made(keywords, acceleration, poses, wind, rate, faces, angles, barrier, carriers)
     if isinstance(snow, Problem):
         return snow
     when = flakes.moments(own, loop, context.frame, read.life, count)

@@ -150,6 +150,25 @@ void set_rate(const Number& rate, const OptionalArrayLike& times, const Optional
     return std::make_shared<Collider>(points, corners);
 }
 
+using MoverList = Typed<
+    "typing.Sequence[tuple[motus_native.SnowCollider, numpy.typing.ArrayLike, numpy.typing.ArrayLike]]">;
+
+void set_movers(const MoverList& movers, SnowSettings& settings) {
+    if (!py::isinstance<py::sequence>(movers)) wrong_type(movers, "movers", "a sequence");
+    for (const py::handle one : movers) {
+        if (!py::isinstance<py::sequence>(one) || py::len(one) != 3)
+            wrong_type(py::reinterpret_borrow<py::object>(one), "movers",
+                       "a sequence of colliders, times and matrices");
+        const auto parts = py::reinterpret_borrow<py::sequence>(one);
+        const py::object collider = parts[0], times = parts[1], poses = parts[2];
+        static_cast<void>(instance<Collider>(collider, "movers", "a SnowCollider"));
+        const DoubleArray at = row(times, "movers");
+        settings.movers.push_back({collider.cast<std::shared_ptr<Collider>>(),
+                                   {at.data(), at.data() + at.size()},
+                                   matrices(poses, "movers")});
+    }
+}
+
 void set_collisions(const OptionalNumber& ground, const py::object& collider, const CollisionName& collision,
                     const OptionalNumber& rest_time, const Number& melt_time, const Number& friction,
                     SnowSettings& settings) {
@@ -182,8 +201,8 @@ void set_collisions(const OptionalNumber& ground, const py::object& collider, co
     const Number& gusts, const Number& gust_frequency, const Number& period, const Number& turbulence,
     const Number& turbulence_size, const Number& tumble, const OptionalNumber& ground,
     const Typed<"motus_native.SnowCollider | None">& collider, const CollisionName& collision,
-    const OptionalNumber& rest_time, const Number& melt_time, const Number& friction, const WholeNumber& seed,
-    const OptionalArrayLike& emitter_times, const OptionalArrayLike& emitter_matrices,
+    const OptionalNumber& rest_time, const Number& melt_time, const Number& friction, const MoverList& movers,
+    const WholeNumber& seed, const OptionalArrayLike& emitter_times, const OptionalArrayLike& emitter_matrices,
     const Number& inherited) {
     SnowSettings settings;
     settings.start_speed = number(start_speed, "start_speed");
@@ -220,6 +239,7 @@ void set_collisions(const OptionalNumber& ground, const py::object& collider, co
     settings.turbulence_size = number(turbulence_size, "turbulence_size");
     settings.tumble = number(tumble, "tumble");
     set_collisions(ground, collider, collision, rest_time, melt_time, friction, settings);
+    set_movers(movers, settings);
     settings.seed = seed_of(seed);
     set_emitter(emitter_times, emitter_matrices, settings);
     settings.inherited = number(inherited, "inherited");
@@ -452,6 +472,8 @@ as it was turned; 'slide', straight down the triangle and those beyond its edges
 (with gravity or without) and friction, >= 0, slows it, until it stops, at a loose edge, or where two lead down to one edge;
 'melt', smaller and smaller over melt_time, s, and then gone.  rest_time: s after which a landed flake is gone; None: when its
 lifetime ends, as it does anyway. Where flakes land is found once and kept, for 18 million of all Snows at most (1 GB).
+movers: colliders that go from place to place, (SnowCollider in its own space, times (k,), s, rising, matrices (k, 4, 4) to world
+space, between which they go evenly) each; flakes that land on one are carried along, and do not slide.
 seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
 emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
 inherited: share of the velocity of the emitter's origin that a flake leaves with, beside its own.
@@ -470,10 +492,10 @@ Raises ValueError or TypeError that names the argument, also where more than 1e8
              "wind_values"_a = py::none(), "gusts"_a = 0.0, "gust_frequency"_a = 0.3, "period"_a = 0.0, "turbulence"_a = 0.0,
              "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(), "collider"_a = py::none(),
              "collision"_a = "stay", "rest_time"_a = py::none(), "melt_time"_a = 1.0, "friction"_a = 0.5,
-             "seed"_a = 0, "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none(),
+             "movers"_a = py::make_tuple(), "seed"_a = 0, "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none(),
              "inherited"_a = 0.0)
         .def("landings", &landings, "end"_a, R"(
-Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
+Where flakes land until `end`, s, but for movers, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
 (n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 10 us each.
 
 Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)")

@@ -280,7 +280,7 @@ std::vector<Touchdown> Snow::touchdowns(double end, const Executor& executor) co
                     const auto page = landings.page(block);
                     for (std::size_t slot = 0; slot < block_size; ++slot) {
                         const Landing& landing = page->landings.at(slot);
-                        if (page->times.at(slot) <= end)
+                        if (page->times.at(slot) <= end && landing.triangle != Landing::carried)
                             of_blocks[block].push_back({page->times.at(slot), block * block_size + slot,
                                                         landing.point, landing.triangle, landing.is_behind});
                     }

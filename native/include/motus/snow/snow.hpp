@@ -55,6 +55,13 @@ struct GradientStop {
     glm::vec4 color{1.0F};
 };
 
+/// What flakes land on, from either side, that goes from place to place as it is, and carries them along.
+struct Mover {
+    std::shared_ptr<const Collider> collider;  ///< triangles in the mover's own space
+    std::vector<double> times;  ///< strictly rising; matrices go evenly from each to the next, and are held
+    std::vector<glm::dmat4> matrices;  ///< to world space, one for each time, at least one
+};
+
 /// Metres, seconds, radians, world space; every number finite.
 struct SnowSettings {
     double start_speed = 5.0;
@@ -109,6 +116,7 @@ struct SnowSettings {
 
     std::optional<double> ground;  ///< height that flakes land on from above, if no triangle is there
     std::shared_ptr<const Collider> collider;  ///< triangles that they land on from either side
+    std::vector<Mover> movers;  ///< which nothing slides down, and no snow lies on for touchdowns()
     Collision collision = Collision::stay;
     double rest_time = std::numeric_limits<double>::infinity();  ///< how long a landed flake lives at most
     double melt_time = 1.0;  ///< the same of one that melts, and how long it takes to
@@ -208,7 +216,7 @@ class Snow {
     /// another number of rows than there are of them.
     void evaluate(const Living& living, const Fields& out, const Executor& executor = {}) const;
 
-    /// Where flakes land until the end, by time and then by number. Throws std::invalid_argument where the
+    /// Where flakes land until the end, but for movers, by time and then by number. Throws std::invalid_argument where the
     /// end is not finite, or more than most_touchdowns flakes are born until then.
     [[nodiscard]] std::vector<Touchdown> touchdowns(double end, const Executor& executor = {}) const;
 
