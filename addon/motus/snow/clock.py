@@ -86,6 +86,11 @@ class Loop(NamedTuple):
         """For how many loops a flake lives at most, begun ones included, and at least 1. longest: most own seconds that a flake lives."""
         return max(1, math.ceil(longest / self.period))
 
+    @property
+    def frame(self):
+        """Own seconds of a frame, on average."""
+        return self.period / (self.end - self.start)
+
 
 def read(emitter, fps):
     """Return (Clock of an emitter, original or evaluated; whether its speed is known at all times)."""

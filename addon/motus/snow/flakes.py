@@ -33,6 +33,8 @@ NUMBERS = 720720
 """In a loop flakes of equal numbers but for a multiple of this look alike: the numbers from 1 to 16 divide it, so that flakes choose among
 as many objects of a collection alike.
 """
+SHUTTER = 2.0
+"""Frames for which a number stays unused after a flake has gone, in a loop."""
 TOO_MANY = Problem("More than 16 million flakes at once would need over 1 GB of memory: lower the rate or the lifetime")
 OUT_OF_RANGE = Problem("A setting is outside of what flakes can do")
 
@@ -216,11 +218,12 @@ def moments(clock, loop, frame, longest, count):
     if loop is None:
         return (Moment(clock.seconds(frame)),)
     seconds, number, laps = clock.seconds(loop.within(frame)), loop.number(frame), loop.laps(longest)
-    apart = NUMBERS * math.ceil((count + 1.0) / NUMBERS)
-    if apart * laps >= 1 << 31:  # Blender's numbers have 32 bits
+    # A flake has the same number in each loop that it lives in. Flakes that are there at once, or while a shutter is open, have different
+    # ones: Blender blurs what has a number by the way from one place with that number to the next.
+    apart, groups = NUMBERS * math.ceil((count + 1.0) / NUMBERS), loop.laps(longest + SHUTTER * loop.frame)
+    if apart * groups >= 1 << 31:  # Blender's numbers have 32 bits
         apart = 0
-    # A flake has the same number in each loop that it lives in, and flakes that are there at once have different ones.
-    return tuple(Moment(seconds + lap * loop.period, apart * ((number - lap) % laps)) for lap in range(laps, -1, -1))
+    return tuple(Moment(seconds + lap * loop.period, apart * ((number - lap) % groups)) for lap in range(laps, -1, -1))
 
 
 def fill(points, snow, when, share, is_found=True):
