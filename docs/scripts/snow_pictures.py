@@ -92,7 +92,15 @@ def _render_motion(file):
     last, cell = 73, 4.6
     for column, (label, keywords) in enumerate(MOTIONS):
         x = (column - 0.5 * (len(MOTIONS) - 1)) * cell
-        common = {"lifetime": 3.0, "start_speed": 1.2, "look": 'SPECK', "flake_width": 0.06, "tumble": 2.0, "emitter_radius": 0.5, "seed": column}
+        common = {
+            "lifetime": 3.0,
+            "start_speed": 1.2,
+            "look": 'SPECK',
+            "flake_width": 0.06,
+            "tumble": 2.0,
+            "emitter_radius": 0.5,
+            "seed": column,
+        }
         bpy.ops.motus.snow_add(location=(x, 0.0, 1.8), rate=180.0, start_frame=1.0, **common, **keywords)
         emitter = bpy.context.object
         if column == 0:

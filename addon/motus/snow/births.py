@@ -124,7 +124,7 @@ def moving(moved, frame, longest, clock, loop=None):
     moved: Track of the emitter, whose values are known. longest, clock, loop: as in over_time().
     """
     found = _over_lives([moved], frame, longest, clock, loop)
-    return found and Poses(*found[:2], found[2][0], found[3])
+    return found and Poses(found[0], found[1], found[2][0], found[3])
 
 
 def going(moved, frame, longest, clock, loop=None):
@@ -133,7 +133,7 @@ def going(moved, frame, longest, clock, loop=None):
     moved: Track of the collider, whose values are known. longest, clock, loop: as in over_time().
     """
     found = _over_lives([moved], clock.later(frame, longest), 2.0 * longest, clock, loop)
-    poses = found and Poses(*found[:2], found[2][0], found[3])
+    poses = found and Poses(found[0], found[1], found[2][0], found[3])
     return poses.repeated(loop.period, loop.period + longest) if poses and loop else poses
 
 
@@ -172,7 +172,7 @@ def rate_of(emitter, frame, clock, loop=None):
         return settings.rate, moved.is_known
     # All births since the start count, however long ago.
     found = _over_lives([moved], frame, math.inf, clock, loop)
-    return found and Rates(*found[:2], found[2][0]), True
+    return found and Rates(found[0], found[1], found[2][0]), True
 
 
 def highest_rate(emitter):

@@ -130,14 +130,14 @@ def record(emitter, view_layer):
     before, settings.recorded = pointed(settings, "recorded"), None
     view_layer.update()
     found = [(one.objects[0].original, one.placed) for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
-    found = [(obj, faces) for obj, faces in found if faces is not None]
+    found = [(obj, part) for obj, part in found if part is not None]
     if not found:
         settings.recorded = before
         return False
-    kept = helpers.make(NAME, _mesh(*joined([faces for _, faces in found])))
-    for obj, faces in found:
+    kept = helpers.make(NAME, _mesh(*joined([part for _, part in found])))
+    for obj, part in found:
         entry = kept.motus.snow.recorded_of.add()
-        entry.object, entry.count = obj, len(faces.faces.triangles)
+        entry.object, entry.count = obj, len(part.faces.triangles)
     settings.recorded = kept
     _drop(before)
     return True

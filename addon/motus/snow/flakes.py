@@ -161,8 +161,8 @@ def _made(keywords, acceleration, poses, wind, rate, faces=None, angles=None, co
     """Make the native Snow of an emitter; returns the Problem OUT_OF_RANGE if the library refuses a value.
 
     keywords: result of numbers(). acceleration: of gravity, m/s^2. poses: births.Poses of the emitter. wind: births.Winds or (x, y, z).
-    rate: births.Rates or a number. faces: meshes.Faces that flakes leave, or None. angles: half the angles of the camera's view in which flakes are born, or None.
-    collider: native SnowCollider that flakes land on, or None. carriers: colliders.Carriers that they land on.
+    rate: births.Rates or a number. faces: meshes.Faces that flakes leave, or None. angles: half the angles of the camera's view in which
+    flakes are born, or None. collider: native SnowCollider that flakes land on, or None. carriers: colliders.Carriers that they land on.
     """
     given = dict(keywords)
     if isinstance(wind, Winds):

@@ -107,7 +107,13 @@ class SnowKeywords:
     )
 
     emitter_velocity: number(
-        "Emitter Velocity", "Share of the emitter's velocity that flakes leave with, beside their own", 0.0, min=-1e3, max=1e3, soft_min=0.0, soft_max=1.0
+        "Emitter Velocity",
+        "Share of the emitter's velocity that flakes leave with, beside their own",
+        0.0,
+        min=-1e3,
+        max=1e3,
+        soft_min=0.0,
+        soft_max=1.0,
     )
     use_local: switch("Local Space", "Flakes follow the emitter, as if it had always stood where it stands now")
     use_scale: switch("Size by Scale", "The emitter's scale counts for the size of the flakes")

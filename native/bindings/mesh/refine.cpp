@@ -19,7 +19,7 @@ using namespace pybind11::literals;
     "tuple[numpy.typing.NDArray[numpy.float32], numpy.typing.NDArray[numpy.int32], "
     "numpy.typing.NDArray[numpy.int32]]">
 refined(const ArrayLike& given_positions, const ArrayLike& given_triangles, const Number& longest_edge,
-    const WholeNumber& most_vertices) {
+        const WholeNumber& most_vertices) {
     const Positions positions(given_positions, "positions");
     const IndexRows<glm::ivec3> triangles(given_triangles, "triangles");
     const double longest = number(longest_edge, "longest_edge");

@@ -189,11 +189,11 @@ void set_collisions(const OptionalNumber& ground, const py::object& collider, co
     const Number& start_speed, const Number& lifetime, const Number& start_size,
     const Typed<"tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None">& start_color,
     const Number& rate, const OptionalArrayLike& rate_times, const OptionalArrayLike& rate_values,
-    const Number& delay, const Number& duration, const Flag& looping,
-    const OptionalArrayLike& burst_times, const OptionalArrayLike& burst_counts,
-    const EmitterShapeName& shape, const OptionalArrayLike& surface_positions,
-    const OptionalArrayLike& surface_triangles, const ArrayLike& frustum_angles, const Number& frustum_near,
-    const Number& frustum_far, const Number& cone_angle, const Number& cone_radius, const Flag& random_speed,
+    const Number& delay, const Number& duration, const Flag& looping, const OptionalArrayLike& burst_times,
+    const OptionalArrayLike& burst_counts, const EmitterShapeName& shape,
+    const OptionalArrayLike& surface_positions, const OptionalArrayLike& surface_triangles,
+    const ArrayLike& frustum_angles, const Number& frustum_near, const Number& frustum_far,
+    const Number& cone_angle, const Number& cone_radius, const Flag& random_speed,
     const Flag& random_orientation, const Flag& random_lifetime, const Flag& random_size,
     const Flag& random_color, const Flag& snow, const Number& max_angle, const Number& snow_frequency,
     const Flag& snow_offsets, const Flag& gravity, const ArrayLike& acceleration, const Number& drag,
@@ -202,8 +202,8 @@ void set_collisions(const OptionalNumber& ground, const py::object& collider, co
     const Number& turbulence_size, const Number& tumble, const OptionalNumber& ground,
     const Typed<"motus_native.SnowCollider | None">& collider, const CollisionName& collision,
     const OptionalNumber& rest_time, const Number& melt_time, const Number& friction, const MoverList& movers,
-    const WholeNumber& seed, const OptionalArrayLike& emitter_times, const OptionalArrayLike& emitter_matrices,
-    const Number& inherited) {
+    const WholeNumber& seed, const OptionalArrayLike& emitter_times,
+    const OptionalArrayLike& emitter_matrices, const Number& inherited) {
     SnowSettings settings;
     settings.start_speed = number(start_speed, "start_speed");
     settings.lifetime = number(lifetime, "lifetime");
@@ -479,21 +479,22 @@ emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a f
 inherited: share of the velocity of the emitter's origin that a flake leaves with, beside its own.
 Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.)")
         .def(py::init(&snow_of), py::kw_only(), "start_speed"_a = 5.0, "lifetime"_a = 2.0,
-             "start_size"_a = 1.0, "start_color"_a = py::none(), "rate"_a = 5.0, "rate_times"_a = py::none(), "rate_values"_a = py::none(), "delay"_a = 0.0,
-             "duration"_a = 5.0, "looping"_a = true, "burst_times"_a = py::none(),
-             "burst_counts"_a = py::none(), "shape"_a = "square", "surface_positions"_a = py::none(),
-             "surface_triangles"_a = py::none(), "frustum_angles"_a = py::make_tuple(0.4, 0.25),
-             "frustum_near"_a = 0.1, "frustum_far"_a = 20.0, "cone_angle"_a = 0.0, "cone_radius"_a = 1.0,
-             "random_speed"_a = false, "random_orientation"_a = false, "random_lifetime"_a = false,
-             "random_size"_a = false, "random_color"_a = false, "snow"_a = false,
-             "max_angle"_a = 1.3962634015954636, "snow_frequency"_a = 1.0, "snow_offsets"_a = false,
-             "gravity"_a = false, "acceleration"_a = py::make_tuple(0.0, 0.0, -9.81), "drag"_a = 0.0,
+             "start_size"_a = 1.0, "start_color"_a = py::none(), "rate"_a = 5.0, "rate_times"_a = py::none(),
+             "rate_values"_a = py::none(), "delay"_a = 0.0, "duration"_a = 5.0, "looping"_a = true,
+             "burst_times"_a = py::none(), "burst_counts"_a = py::none(), "shape"_a = "square",
+             "surface_positions"_a = py::none(), "surface_triangles"_a = py::none(),
+             "frustum_angles"_a = py::make_tuple(0.4, 0.25), "frustum_near"_a = 0.1, "frustum_far"_a = 20.0,
+             "cone_angle"_a = 0.0, "cone_radius"_a = 1.0, "random_speed"_a = false,
+             "random_orientation"_a = false, "random_lifetime"_a = false, "random_size"_a = false,
+             "random_color"_a = false, "snow"_a = false, "max_angle"_a = 1.3962634015954636,
+             "snow_frequency"_a = 1.0, "snow_offsets"_a = false, "gravity"_a = false,
+             "acceleration"_a = py::make_tuple(0.0, 0.0, -9.81), "drag"_a = 0.0,
              "wind"_a = py::make_tuple(0.0, 0.0, 0.0), "wind_times"_a = py::none(),
-             "wind_values"_a = py::none(), "gusts"_a = 0.0, "gust_frequency"_a = 0.3, "period"_a = 0.0, "turbulence"_a = 0.0,
-             "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(), "collider"_a = py::none(),
-             "collision"_a = "stay", "rest_time"_a = py::none(), "melt_time"_a = 1.0, "friction"_a = 0.5,
-             "movers"_a = py::make_tuple(), "seed"_a = 0, "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none(),
-             "inherited"_a = 0.0)
+             "wind_values"_a = py::none(), "gusts"_a = 0.0, "gust_frequency"_a = 0.3, "period"_a = 0.0,
+             "turbulence"_a = 0.0, "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(),
+             "collider"_a = py::none(), "collision"_a = "stay", "rest_time"_a = py::none(),
+             "melt_time"_a = 1.0, "friction"_a = 0.5, "movers"_a = py::make_tuple(), "seed"_a = 0,
+             "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none(), "inherited"_a = 0.0)
         .def("landings", &landings, "end"_a, R"(
 Where flakes land until `end`, s, but for movers, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
 (n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 10 us each.

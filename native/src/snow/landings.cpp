@@ -247,8 +247,8 @@ class Landings::March {
         if (is_carried) {
             landing.slide = static_cast<std::uint32_t>(hit.mover);
             landing.is_behind = is_below;
-            landing.rotation =
-                row_of(glm::conjugate(landings_.movers_.rotation(hit.mover, time)) * quaternion_of(rotation_[0]));
+            landing.rotation = row_of(glm::conjugate(landings_.movers_.rotation(hit.mover, time)) *
+                                      quaternion_of(rotation_[0]));
             return;
         }
         landing.is_behind = glm::dot(glm::dvec3(velocity_[0]), hit.normal) > 0.0;

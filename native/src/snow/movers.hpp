@@ -13,7 +13,8 @@ namespace motus::snow {
 
 class Movers {
   public:
-    /// Throws std::invalid_argument, naming movers, where times do not rise, numbers differ or one is not finite.
+    /// Throws std::invalid_argument, naming movers, where times do not rise, numbers differ or one is not
+    /// finite.
     explicit Movers(const std::vector<Mover>& movers);
 
     [[nodiscard]] bool are_any() const noexcept { return !movers_.empty(); }

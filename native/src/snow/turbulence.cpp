@@ -15,8 +15,8 @@ constexpr double whole_turn = 6.283185307179586;
 
 }  // namespace
 
-std::array<Wave, wave_count> waves_of(double speed, double size, const glm::dvec3& drift,
-                                      std::uint64_t seed, double period) {
+std::array<Wave, wave_count> waves_of(double speed, double size, const glm::dvec3& drift, std::uint64_t seed,
+                                      double period) {
     std::array<Wave, wave_count> waves;
     const Key key{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)};
     for (std::size_t i = 0; i < wave_count; ++i) {

@@ -238,8 +238,9 @@ void add_snows(Table& table) {
            member("wind", &S::wind, single),
            member("wind_times", &S::wind_times, rising().open(), as_many_as("`wind_values`")),
            member("wind_values", &S::wind_values, single, as_many_as("`wind_times`")),
-           member("period", &S::period,
-                  numbers("0, or 1e-6 to 1e30", [](double x) { return x == 0.0 || (x >= 1e-6 && x <= 1e30); })),
+           member(
+               "period", &S::period,
+               numbers("0, or 1e-6 to 1e30", [](double x) { return x == 0.0 || (x >= 1e-6 && x <= 1e30); })),
            member("gusts", &S::gusts, size.open()),
            member("gust_frequency", &S::gust_frequency,
                   numbers("> 0 to 1000", [](double x) { return x > 0.0 && x <= 1000.0; }).open()),

@@ -38,7 +38,8 @@ TEST_CASE("flakes land on what moves when both are there, and are carried along"
     settings.lifetime = 9.0;
     settings.movers = {raft([](double time) { return shifted({time, 0.0, 0.5 * time}); })};
     const Snow snow(settings);
-    // At 1.5 m/s down from 3 m, to 0.25 m + 0.5 m/s t, which the flake born at b meets at b + (2.75 - b / 2) / 2.
+    // At 1.5 m/s down from 3 m, to 0.25 m + 0.5 m/s t, which the flake born at b meets at b + (2.75 - b / 2)
+    // / 2.
     const Flakes before = flakes_at(snow, 3.0), now = flakes_at(snow, 3.7);
     std::size_t carried = 0;
     for (std::size_t i = 0; i < before.id.size(); ++i) {
@@ -68,8 +69,8 @@ TEST_CASE("what turns, turns the flakes on it", "[snow]") {
     SnowSettings settings = falling(400.0);
     settings.lifetime = 9.0;
     settings.tumble = 3.0;
-    settings.movers = {
-        raft([](double time) { return glm::rotate(glm::dmat4(1.0), 0.3 * time, glm::dvec3(0.0, 0.0, 1.0)); })};
+    settings.movers = {raft(
+        [](double time) { return glm::rotate(glm::dmat4(1.0), 0.3 * time, glm::dvec3(0.0, 0.0, 1.0)); })};
     const Snow snow(settings);
     constexpr double h = 1.0 / 512.0;
     const Flakes a = flakes_at(snow, 3.25 - h), b = flakes_at(snow, 3.25), c = flakes_at(snow, 3.25 + h),

@@ -49,7 +49,7 @@ def _of(mesh, name, index):
                     shares[place] = entry.weight
     else:
         return None
-    shares = np.clip(np.nan_to_num(shares), 0.0, 1.0)
+    np.clip(np.nan_to_num(shares), 0.0, 1.0, out=shares)
     return Painted(hashlib.blake2b(shares, digest_size=16).digest(), shares)
 
 

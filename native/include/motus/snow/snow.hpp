@@ -216,8 +216,9 @@ class Snow {
     /// another number of rows than there are of them.
     void evaluate(const Living& living, const Fields& out, const Executor& executor = {}) const;
 
-    /// Where flakes land until the end, but for movers, by time and then by number. Throws std::invalid_argument where the
-    /// end is not finite, or more than most_touchdowns flakes are born until then.
+    /// Where flakes land until the end, but for movers, by time and then by number. Throws
+    /// std::invalid_argument where the end is not finite, or more than most_touchdowns flakes are born until
+    /// then.
     [[nodiscard]] std::vector<Touchdown> touchdowns(double end, const Executor& executor = {}) const;
 
     // SnowSettings.
