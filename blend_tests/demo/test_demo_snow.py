@@ -21,4 +21,9 @@ class DemoSnow(support.SceneTestCase):
         emitters = [obj for obj in scene.objects if obj.motus.snow.is_active]
         (cover,) = (obj for obj in scene.objects if obj.motus.snow_cover.is_active)
         self.assertEqual(len(emitters), 2)
+        near = next(one for one in emitters if one.name.startswith("Near"))
+        scene.frame_set(1)
+        self.assertAlmostEqual(near.motus.snow.rate, 60.0)
+        scene.frame_set(193)
+        self.assertAlmostEqual(near.motus.snow.rate, 420.0)
         self.assertEqual({entry.object for entry in cover.motus.snow_cover.emitters}, set(emitters))

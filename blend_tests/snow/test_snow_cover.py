@@ -112,7 +112,7 @@ class Cover(CoverTestCase):
                 meadow.scale = scale
                 bpy.context.view_layer.update()
                 (_, plan), _ = work._done.items()[-1]
-                _, triangles = native().refine(*placing.joined(plan.lain_on), plan.resolution)
+                _, triangles, _ = native().refine(*placing.joined(plan.lain_on), plan.resolution)
                 found = work.price(plan._replace(falls=())) / work.TRIANGLE
                 self.assertTrue(0.7 < found / len(triangles) < 1.5, (found, len(triangles)))
         # More than there can be takes no longer.
@@ -309,7 +309,7 @@ class Cover(CoverTestCase):
         rounds = support.addon("snow.cover.work").rounds(0.4, COARSE["resolution"])
         self.assertEqual(rounds, 5)
         module = native()
-        positions, triangles = module.refine(SQUARE, [(0, 1, 2), (0, 2, 3)], COARSE["resolution"])
+        positions, triangles, _ = module.refine(SQUARE, [(0, 1, 2), (0, 2, 3)], COARSE["resolution"])
         matrix = np.diag((1.0, -1.0, -1.0, 1.0))[None]
         matrix[0, 2, 3] = 3.0
         snow = module.Snow(

@@ -296,8 +296,10 @@ class Moving(LandingCase):
         still, roof = self.board("Still", (0.0, 0.0, 0.0)), self.board("Roof", (0.0, 0.0, 1.0))
         self.gathered(still, roof)
         emitter = self.add(colliders="Scenery")
-        key_places(roof, {1: (0.0, 0.0, 1.0), 50: (0.0, 0.0, 2.0)})
-        self.assertFallsThrough(emitter, roof.location.z)
+        hoist = support.link("Hoist")
+        key_places(hoist, {1: (0.0, 0.0, 1.0), 50: (0.0, 0.0, 2.0)})
+        roof.constraints.new('COPY_LOCATION').target = hoist
+        self.assertFallsThrough(emitter, 2.0)
         self.assertGreater(self.lying(emitter, 0.0), 20)
         go_to(1)
         self.assertEqual(bpy.ops.motus.snow_colliders_record(object=emitter.name), {'FINISHED'})

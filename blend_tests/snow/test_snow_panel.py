@@ -18,13 +18,26 @@ class Panels(SnowTestCase):
     def test_the_emitter(self):
         emitter = self.add(**MANY)
         for shape, extent in (
-            ('SQUARE', ["emitter_radius"]),
-            ('CONE', ["emitter_radius", "cone_angle"]),
-            ('SURFACE', ["surface"]),
+            ('SQUARE', ["emitter_radius", "emitter_velocity", "use_local", "use_scale"]),
+            ('CONE', ["emitter_radius", "cone_angle", "emitter_velocity", "use_local", "use_scale"]),
+            ('SURFACE', ["surface", "emitter_velocity", "use_local", "use_scale"]),
             ('CAMERA', ["camera", "closest", "farthest"]),
         ):
             emitter.motus.snow.shape = shape
             self.assertEqual(self.drawn("emitter").named("prop"), ["shape", *extent])
+
+    def test_a_loop_and_a_keyed_rate(self):
+        emitter = self.add(**MANY)
+        self.assertEqual(self.drawn("loop").named("prop"), [])
+        self.assertEqual(self.drawn("loop").named("operator"), ["motus.snow_loop"])
+        self.assertIn("start_frame", self.drawn("main").named("prop"))
+        self.assertEqual(bpy.ops.motus.snow_loop(object=emitter.name), {'FINISHED'})
+        self.assertEqual(self.drawn("loop").named("prop"), ["loop_start", "loop_end"])
+        shown = self.drawn("main")
+        self.assertNotIn("start_frame", shown.named("prop"))
+        self.assertNotIn("read from keys", " ".join(shown.named("label")))
+        emitter.keyframe_insert("motus.snow.rate", frame=1)
+        self.assertIn("read from keys", " ".join(self.drawn("main").named("label")))
 
     def test_colliders(self):
         emitter = self.add(**MANY)

@@ -10,6 +10,7 @@ import stage
 NIGHT = (0.012, 0.02, 0.05)
 LABEL = (0.9, 0.93, 1.0, 1.0)
 PRESETS = (('GENTLE', "gentle"), ('BLIZZARD', "blizzard"), ('WET', "wet"), ('DUST', "dust"), ('PETALS', "petals"), ('SPARKS', "sparks"))
+MOTIONS = (("keyed rate", {}), ("left behind", {}), ("emitter velocity", {"emitter_velocity": 1.0}), ("local space", {"use_local": True}))
 SHAPES = (('SQUARE', "square"), ('DISC', "disc"), ('BOX', "box"), ('SPHERE', "sphere"), ('CONE', "cone"), ('SURFACE', "mesh surface"))
 CELL = 3.4
 
@@ -20,6 +21,7 @@ def render_all(folder):
     return [
         _render_presets(folder / "snow_presets.png"),
         _render_emitters(folder / "snow_emitters.png"),
+        _render_motion(folder / "snow_motion.png"),
         _render_cover(folder / "snow_cover.png"),
     ]
 
@@ -82,6 +84,37 @@ def _render_emitters(file):
         stage.add_text(label, Vector((x, -1.6, -2.0)), 0.34, LABEL)
     stage.add_camera(scene, (0.0, -15.0, 3.2), (0.0, 0.0, 0.0), width=6.1 * CELL)
     return stage.render(scene, file, (1280, 340), samples=48)
+
+
+def _render_motion(file):
+    """Flakes that fall straight: of a rate that rises and falls, and of emitters that have moved to the right."""
+    scene = _scene()
+    last, cell = 73, 4.6
+    for column, (label, keywords) in enumerate(MOTIONS):
+        x = (column - 0.5 * (len(MOTIONS) - 1)) * cell
+        common = {
+            "lifetime": 3.0,
+            "start_speed": 1.2,
+            "look": 'SPECK',
+            "flake_width": 0.06,
+            "tumble": 2.0,
+            "emitter_radius": 0.5,
+            "seed": column,
+        }
+        bpy.ops.motus.snow_add(location=(x, 0.0, 1.8), rate=180.0, start_frame=1.0, **common, **keywords)
+        emitter = bpy.context.object
+        if column == 0:
+            for frame, rate in ((1, 0.0), (25, 800.0), (37, 0.0), (49, 0.0), (61, 500.0), (73, 0.0)):
+                emitter.motus.snow.rate = rate
+                emitter.keyframe_insert("motus.snow.rate", frame=frame)
+        else:
+            for frame, place in ((1, x - 1.4), (last, x + 1.0)):
+                emitter.location.x = place
+                emitter.keyframe_insert("location", frame=frame)
+        stage.add_text(label, Vector((x, -1.6, -2.5)), 0.36, LABEL)
+    scene.frame_set(last)
+    stage.add_camera(scene, (0.0, -16.0, 0.0), (0.0, 0.0, 0.0), width=4.1 * cell)
+    return stage.render(scene, file, (1280, 400), samples=48)
 
 
 def _render_cover(file):

@@ -1,10 +1,14 @@
-"""Colliders, which flakes land on: meshes that do not move, or meshes as they were recorded on one frame.
+"""Colliders, which flakes land on: meshes that do not move, carriers, or meshes as they were recorded on one frame.
 
-The place where a flake lands is found once, for all frames. A mesh that moves or is deformed can therefore be a collider only if it is
-recorded: otherwise all flakes that ever landed would lie at different places on each frame.
+The place where a flake lands is found once, for all frames. Carriers are meshes that go from place to place as they are, in a way that is
+known at all times: flakes that land there are carried along. Any other mesh that moves can be a collider only if it is recorded: otherwise
+all flakes that ever landed would lie at different places on each frame.
 """
 
+from typing import Any, NamedTuple
+
 import bpy
+from mathutils import Matrix
 
 from ..core import wiring
 from ..core.blender import datablocks, helpers
@@ -12,9 +16,9 @@ from ..core.declare import Problem, is_owner, registered
 from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.scenery import gathered, seen
-from ..core.scenery.meshes import joined, placed
-from . import flakes
+from ..core.scenery import gathered, seen, stillness
+from ..core.scenery.meshes import Placed, faces, hash_of, is_same, joined, placed
+from . import births, flakes
 
 GONE = Problem("The collider is gone: flakes fall on without it", blocking=False)
 NO_FACES = Problem("The collider has no faces: flakes fall through it", blocking=False)
@@ -46,10 +50,48 @@ def objects(settings):
     return alone(settings) + seen.awaited(_members(settings))
 
 
-def barrier(context):
-    """Return (native SnowCollider of an emitter's colliders or None, Problem to show or None). context: Context of the solver."""
-    found, fault = parts(context.settings, context.depsgraph.scene)
-    return (flakes.collider(found) if found else None), fault or (None if found else NO_FACES)
+class Carrier(NamedTuple):
+    """A collider that moves. stamp: hashable value that changes with it. collider: native SnowCollider in the object's own space.
+
+    seconds: (k,), of the snow's own time, rising. matrices: (k, 4, 4), to world space.
+    """
+
+    stamp: Any
+    collider: Any
+    seconds: Any
+    matrices: Any
+
+    __eq__, __hash__ = is_same, hash_of  # type: ignore[misc]
+
+
+def barrier(context, clock, loop, longest):
+    """Return (native SnowCollider of an emitter's colliders that stand still or None, Carriers, Problem to show or None).
+
+    context: Context of the solver. clock, loop: Clock of the snow, and Loop or None. longest: most own seconds that a flake lives.
+    """
+    settings, scene, carriers = context.settings, context.depsgraph.scene, ()
+    if pointed(settings, "recorded") is not None:
+        found, fault = parts(settings, scene)
+    else:
+        still, moving, fault = _split(settings, scene)
+        found = _placed(still)
+        known = [one for one in moving if _is_carrier(one, scene)]
+        carriers = tuple(filter(None, (_carrier(one, scene, context.frame, clock, loop, longest) for one in known)))
+        fault = fault or (MOVING if len(known) < len(moving) else None)
+    return (flakes.collider(found) if found else None), carriers, fault or (None if found or carriers else NO_FACES)
+
+
+def _is_carrier(one, scene):
+    """Whether a moving Seen goes from place to place as it is, in a way that is known at all times."""
+    return len(one.objects) == 1 and not stillness.deforms(one.objects[0], scene) and births.track(one.objects[0], scene).is_known
+
+
+def _carrier(one, scene, frame, clock, loop, longest):
+    """The Carrier of a Seen; None if it has no faces, or is at no finite place. frame, clock, loop, longest: as in births.going()."""
+    found = faces(one.objects[0])
+    poses = found and births.going(births.track(one.objects[0], scene), frame, longest, clock, loop)
+    own = poses and flakes.collider((Placed((found.stamp, "own"), found, Matrix()),))
+    return own and Carrier((found.stamp, poses.stamp), own, poses.seconds, poses.matrices)
 
 
 def parts(settings, scene, left_out=()):
@@ -62,11 +104,20 @@ def parts(settings, scene, left_out=()):
     if recorded is not None:
         kept = _recorded(recorded, left_out)
         return (() if kept is None else (kept,)), None
+    still, moving, fault = _split(settings, scene, left_out)
+    return _placed(still), fault or (MOVING if moving else None)
+
+
+def _placed(still):
+    return tuple(filter(None, (one.placed for one in still)))
+
+
+def _split(settings, scene, left_out=()):
+    """Return ([seen.Seen] that keep place and shape, [seen.Seen] that may not, Problem or None); arguments as of parts()."""
     found, fault = _found(settings)
     found = [one for one in found if one.objects[0].original not in left_out]
     still = seen.still(found, scene)
-    fault = fault or (MOVING if len(still) < len(found) else None)
-    return tuple(filter(None, (one.placed for one in still))), fault
+    return still, [one for one in found if one not in still], fault
 
 
 def record(emitter, view_layer):
@@ -79,14 +130,14 @@ def record(emitter, view_layer):
     before, settings.recorded = pointed(settings, "recorded"), None
     view_layer.update()
     found = [(one.objects[0].original, one.placed) for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
-    found = [(obj, faces) for obj, faces in found if faces is not None]
+    found = [(obj, part) for obj, part in found if part is not None]
     if not found:
         settings.recorded = before
         return False
-    kept = helpers.make(NAME, _mesh(*joined([faces for _, faces in found])))
-    for obj, faces in found:
+    kept = helpers.make(NAME, _mesh(*joined([part for _, part in found])))
+    for obj, part in found:
         entry = kept.motus.snow.recorded_of.add()
-        entry.object, entry.count = obj, len(faces.faces.triangles)
+        entry.object, entry.count = obj, len(part.faces.triangles)
     settings.recorded = kept
     _drop(before)
     return True

@@ -1,5 +1,8 @@
 """Make the native Snow from an emitter's settings, and write its flakes into Blender's point attributes."""
 
+import math
+from typing import NamedTuple
+
 from ..core import keeping, native
 from ..core.declare import Problem
 from ..core.evaluated.per_thread import scratch
@@ -7,7 +10,7 @@ from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.scenery import meshes
-from .births import Winds
+from .births import Rates, Winds, highest_rate
 from .properties import KEYWORDS, WHITE
 
 MOST = 1 << 24
@@ -26,13 +29,18 @@ STEP = 1 << 16
 """The size of the scratch array for flakes' numbers is a multiple of this, so that the array is seldom made anew."""
 
 NOT_FINITE = Problem("A setting is not a finite number")
+NUMBERS = 720720
+"""In a loop flakes of equal numbers but for a multiple of this look alike: the numbers from 1 to 16 divide it, so that flakes choose among
+as many objects of a collection alike.
+"""
+SHUTTER = 2.0
+"""Frames for which a number stays unused after a flake has gone, in a loop."""
 TOO_MANY = Problem("More than 16 million flakes at once would need over 1 GB of memory: lower the rate or the lifetime")
 OUT_OF_RANGE = Problem("A setting is outside of what flakes can do")
 
 _DIRECT = (
     "start_speed",
     "lifetime",
-    "rate",
     "delay",
     "duration",
     "looping",
@@ -78,7 +86,7 @@ def most(settings):
     """Largest number of flakes that can exist at one time, by an emitter's settings."""
     longest = longest_life(settings)
     births = longest if settings.looping else min(longest, settings.duration)
-    return settings.rate * births + 1.0 + settings.burst
+    return highest_rate(settings.id_data) * births + 1.0 + settings.burst
 
 
 def longest_life(settings):
@@ -89,7 +97,7 @@ def longest_life(settings):
 def numbers(settings):
     """Return the settings as keywords of the native Snow, or the Problem if they are wrong.
 
-    The keywords are a hashable tuple of (name, value) pairs. The wind, which may change over time, is not among them.
+    The keywords are a hashable tuple of (name, value) pairs. The wind and the rate, which may change over time, are not among them.
     """
     values = [getattr(settings, name) for name in KEYWORDS]
     parts = [part for value in values for part in (value if hasattr(value, "__len__") else (value,))]
@@ -108,6 +116,8 @@ def numbers(settings):
     ]
     if settings.use_ground:
         found.append(("ground", settings.ground))
+    if settings.emitter_velocity and not settings.use_local and shape != 'CAMERA':
+        found.append(("inherited", settings.emitter_velocity))
     if shape == 'CAMERA':
         found += [("frustum_near", settings.closest), ("frustum_far", settings.farthest)]
     if settings.burst > 0:
@@ -124,27 +134,51 @@ def _size(settings):
     return settings.start_size * (1.0 if is_scale else 0.5 * settings.flake_width)
 
 
+def looped(keywords, rate, period):
+    """Return (keywords, rate, count) of the flakes that one loop lets be born, from 0 to its period; their count is made whole.
+
+    keywords: result of numbers(). rate: births.Rates, or a number. period: of the loop, s.
+    """
+    given = dict(keywords) | {"delay": 0.0, "period": period, "looping": False}
+    count = rate.until(period) if isinstance(rate, Rates) else rate * period
+    if dict(keywords)["looping"] or given["duration"] >= period:
+        factor = round(count) / count if count > 0.0 else 1.0
+        rate = rate.scaled(factor) if isinstance(rate, Rates) else rate * factor
+        last = float(rate.values[-1]) if isinstance(rate, Rates) else rate
+        # Up to half way from the last flake's birth to the next one's, so that rounding leaves none out.
+        given["duration"] = period + (0.5 / last if last > 0.0 else 0.0)
+    if "burst_times" in given:
+        given["burst_times"] = tuple(time % period for time in given["burst_times"])
+    return tuple(given.items()), rate, count + sum(given.get("burst_counts", ()))
+
+
 def made(*what):
     """Return the native Snow for the arguments of _made(), kept for equal arguments; a Problem if the library refuses them."""
     return _snows.made(what, lambda: _made(*what))
 
 
-def _made(keywords, acceleration, poses, wind, faces=None, angles=None, collider=None):
+def _made(keywords, acceleration, poses, wind, rate, faces=None, angles=None, collider=None, carriers=()):
     """Make the native Snow of an emitter; returns the Problem OUT_OF_RANGE if the library refuses a value.
 
     keywords: result of numbers(). acceleration: of gravity, m/s^2. poses: births.Poses of the emitter. wind: births.Winds or (x, y, z).
-    faces: meshes.Faces that flakes leave, or None. angles: half the angles of the camera's view in which flakes are born, or None.
-    collider: native SnowCollider that flakes land on, or None.
+    rate: births.Rates or a number. faces: meshes.Faces that flakes leave, or None. angles: half the angles of the camera's view in which
+    flakes are born, or None. collider: native SnowCollider that flakes land on, or None. carriers: colliders.Carriers that they land on.
     """
     given = dict(keywords)
     if isinstance(wind, Winds):
         given |= {"wind_times": wind.seconds, "wind_values": wind.velocities}
     else:
         given["wind"] = wind
+    if isinstance(rate, Rates):
+        given |= {"rate_times": rate.seconds, "rate_values": rate.values}
+    else:
+        given["rate"] = rate
     if angles is not None:
         given["frustum_angles"] = angles
     if collider is not None:
         given["collider"] = collider
+    if carriers:
+        given["movers"] = [(one.collider, one.seconds, one.matrices) for one in carriers]
     if faces is not None:
         given |= {"surface_positions": faces.positions, "surface_triangles": faces.triangles}
     try:
@@ -168,30 +202,56 @@ def _collider(parts):
         return None
 
 
-def fill(points, snow, seconds, share, is_found=True):
-    """Write the flakes of a time, all of them or a share, into Blender's point attributes.
+class Moment(NamedTuple):
+    """Flakes of a native Snow at a time. seconds: the time. numbered: what is added to their numbers."""
 
-    points: Context.points, a function that returns the arrays for a number of points. snow: native Snow. seconds: the time.
-    share: 0 to 1. is_found: whether all landing places are known; if not, flakes whose landing place is unknown are left out.
+    seconds: float
+    numbered: int = 0
+
+
+def moments(clock, loop, frame, longest, count):
+    """List the Moments whose flakes, together, are those of a frame: a single one without a loop.
+
+    In a loop the native Snow has the flakes of one loop, which are there once for each loop in which they were born.
+    clock: Clock. loop: Loop or None. longest: most own seconds that a flake lives. count: flakes that a loop lets be born, about.
     """
-    if share >= 1.0:
+    if loop is None:
+        return (Moment(clock.seconds(frame)),)
+    seconds, number, laps = clock.seconds(loop.within(frame)), loop.number(frame), loop.laps(longest)
+    # A flake has the same number in each loop that it lives in. Flakes that are there at once, or while a shutter is open, have different
+    # ones: Blender blurs what has a number by the way from one place with that number to the next.
+    apart, groups = NUMBERS * math.ceil((count + 1.0) / NUMBERS), loop.laps(longest + SHUTTER * loop.frame)
+    if apart * groups >= 1 << 31:  # Blender's numbers have 32 bits
+        apart = 0
+    return tuple(Moment(seconds + lap * loop.period, apart * ((number - lap) % groups)) for lap in range(laps, -1, -1))
+
+
+def fill(points, snow, when, share, is_found=True):
+    """Write the flakes of some Moments, all of them or a share, into Blender's point attributes.
+
+    points: Context.points, a function that returns the arrays for a number of points. snow: native Snow. when: the Moments.
+    share: 0 to 1. is_found: whether all landing places are known; if not, flakes whose landing place is unknown are left out.
+    Returns the arrays.
+    """
+    if share >= 1.0 and len(when) == 1:
         found = {}
 
         def room(count):
             found.update(points(count))
             return _named(found) | {"id": _numbers(count)}
 
-        numbered = snow.evaluate(seconds, out=room, known=not is_found)["id"]
+        numbered = snow.evaluate(when[0].seconds, out=room, known=not is_found)["id"]
         found["id"][:] = numbered
-        return
-    ids = snow.evaluate(seconds, ("id",), known=not is_found)["id"]
-    places = np.flatnonzero(is_chosen(ids, share))
-    found = points(len(places))
-    found["id"][:] = ids[places]
-    named = _named(found)
-    every = snow.evaluate(seconds, tuple(named), known=not is_found)
-    for name, array in named.items():
-        np.take(every[name], places, axis=0, out=array)
+        return found
+    parts = [snow.evaluate(one.seconds, known=not is_found) for one in when]
+    places = [np.flatnonzero(is_chosen(one["id"], share)) for one in parts]
+    found = points(sum(map(len, places)))
+    ends = np.cumsum([0, *map(len, places)])
+    for part, chosen_ones, one, first, last in zip(parts, places, when, ends[:-1], ends[1:]):
+        found["id"][first:last] = part["id"][chosen_ones] + one.numbered
+        for name, array in _named(found).items():
+            np.take(part[name], chosen_ones, axis=0, out=array[first:last])
+    return found
 
 
 def is_chosen(ids, share):

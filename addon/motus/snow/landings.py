@@ -33,17 +33,17 @@ _searches = keeping.OfFile(
 
 
 class Search:
-    """Search for the landing places of a native Snow's flakes at a time, block by block. left: number of blocks that remain."""
+    """Search for the landing places of a native Snow's flakes at some Moments, block by block. left: number of blocks that remain."""
 
-    def __init__(self, snow, seconds, left):
-        self._snow, self._seconds, self._first, self._left = snow, seconds, left, left
+    def __init__(self, snow, when, left):
+        self._snow, self._when, self._first, self._left = snow, when, left, left
         self._shown = time.monotonic()
         self.has_no_room = False
         """Whether the memory for landing places is full: then each evaluation searches for all landing places anew, at once."""
 
-    def is_for(self, snow, seconds):
-        """Whether the search looks for the landing places of this native Snow's flakes at this time. seconds: the time."""
-        return self._snow is snow and self._seconds == seconds
+    def is_for(self, snow, when):
+        """Whether the search looks for the landing places of this native Snow's flakes at these Moments."""
+        return self._snow is snow and self._when == when
 
     @property
     def done(self):
@@ -55,7 +55,7 @@ class Search:
 
         Returns (whether blocks remain to be searched, whether the viewport has to show the landing places found so far).
         """
-        before, self._left = self._left, self._snow.find_landings(self._seconds, most)
+        before, self._left = self._left, _found(self._snow, self._when, most)
         self.has_no_room = 0 < self._left == before
         is_over = self._left == 0 or self.has_no_room
         is_shown = is_over or time.monotonic() - self._shown > SHOWN
@@ -64,15 +64,28 @@ class Search:
         return not is_over, is_shown
 
 
-def are_left(context, snow, seconds, has_barrier):
-    """Whether the landing places of some flakes at this time are still unknown, after a first part of the search.
+def _found(snow, when, most):
+    """Search up to `most` blocks of a native Snow's flakes at some Moments for their landing places; returns how many blocks remain."""
+    if len(when) == 1:
+        return snow.find_landings(when[0].seconds, most)
+    remaining = 0
+    for one in when:
+        before = snow.find_landings(one.seconds, 0)
+        left = snow.find_landings(one.seconds, most) if before and most else before
+        most -= before - left
+        remaining += left
+    return remaining
+
+
+def are_left(context, snow, when, has_barrier):
+    """Whether the landing places of some flakes at some Moments are still unknown, after a first part of the search.
 
     If the result is true, a timer continues the search after the evaluation; in background mode, the next evaluation does.
     has_barrier: whether there is anything to land on.
     """
     if context.owner.library:  # a timer cannot let Blender evaluate a linked object again
         return False
-    before = snow.find_landings(seconds, 0) if has_barrier else 0
+    before = _found(snow, when, 0) if has_barrier else 0
     if before == 0:
         if _searches:
             _searches.drop(context.owner.name)
@@ -80,17 +93,17 @@ def are_left(context, snow, seconds, has_barrier):
     at_once = max(1, bounds.times(BLOCK, share_of(registered["snow"], context.owner, context.depsgraph)))
     if bpy.app.background:
         # If the memory for landing places is full, the number of remaining blocks stays.
-        return 0 < snow.find_landings(seconds, at_once) < before
+        return 0 < _found(snow, when, at_once) < before
     name = context.owner.name
     search = _searches.get(name)
-    if search is not None and search.has_no_room and search.is_for(snow, seconds):
+    if search is not None and search.has_no_room and search.is_for(snow, when):
         return False
-    left = snow.find_landings(seconds, min(AT_ONCE, at_once))
+    left = _found(snow, when, min(AT_ONCE, at_once))
     if left == 0:
         _searches.drop(name)
         return False
-    if search is None or not search.is_for(snow, seconds):
-        _searches.add(name, Search(snow, seconds, left))
+    if search is None or not search.is_for(snow, when):
+        _searches.add(name, Search(snow, when, left))
         context.wants_to_settle = True
     return True
 

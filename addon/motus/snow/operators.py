@@ -208,6 +208,18 @@ class MOTUS_OT_snow_preset(_OnEmitter, bpy.types.Operator):
         presets.put(emitter.motus.snow, self.preset, context.scene)
 
 
+class MOTUS_OT_snow_loop(_OnEmitter, bpy.types.Operator):
+    bl_idname = "motus.snow_loop"
+    bl_label = "Loop over the Scene"
+    bl_description = "Let the snowfall repeat over the scene's frames, without a seam"
+
+    def run(self, context):
+        settings, scene = self.found(context, self.object).motus.snow, context.scene
+        settings.loop_start = round(scene_time.first(scene))
+        settings.loop_end = round(scene_time.keys_time(scene, scene.frame_end + 1))
+        settings.use_loop = True
+
+
 class MOTUS_OT_snow_stop_add(_OnEmitter, bpy.types.Operator):
     bl_idname = "motus.snow_stop_add"
     bl_label = "Add Color"
@@ -275,6 +287,7 @@ classes = (
     MOTUS_OT_snow_add,
     MOTUS_OT_snow_remove,
     MOTUS_OT_snow_preset,
+    MOTUS_OT_snow_loop,
     MOTUS_OT_snow_stop_add,
     MOTUS_OT_snow_stop_remove,
     MOTUS_OT_snow_colliders_record,

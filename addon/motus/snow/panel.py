@@ -17,6 +17,20 @@ def draw_main(layout, context):
     label = {"text": kind, "text_ctxt": "*"} if kind else {}
     button.operator_menu_enum("motus.snow_preset", "preset", icon='PRESET', **label)
     rows.EMISSION.draw(ui.split(layout), emitter.motus.snow)
+    if emitter.animation_data is not None:
+        rate = births.rate_track(emitter)
+        if not rate.is_constant:
+            track_panel.draw(layout, rate, datablock=emitter.name, data_path=births.RATE, index=-1)
+
+
+def draw_loop(layout, context):
+    """Draw the frames over which the snowfall repeats, and the button that sets them to the scene's."""
+    rows.LOOP.draw(ui.split(layout), context.object.motus.snow)
+    layout.operator("motus.snow_loop", icon='FILE_REFRESH').object = context.object.name
+
+
+def _draw_loop_switch(layout, context):
+    layout.prop(context.object.motus.snow, "use_loop", text="")
 
 
 def draw_emitter(layout, context):
@@ -138,6 +152,7 @@ PANEL = panels.SystemPanel(
         panels.Part("air", "Forces", draw_air),
         panels.Part("landing", "Collision", draw_landing),
         panels.Part("random", "Random", draw_random),
+        panels.Part("loop", "Loop", draw_loop, draw_header=_draw_loop_switch),
         panels.Part("flakes", "Flakes", draw_flakes, is_open=True),
     ),
     readouts=draw_readouts,

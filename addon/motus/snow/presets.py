@@ -147,9 +147,12 @@ NUMBERS = {identifier: numbers for identifier, _, _, numbers, _ in KINDS}
 _GRADIENTS = {identifier: gradient for identifier, _, _, _, gradient in KINDS}
 
 # Settings that presets of the user leave out, as they belong to one shot and not to a style.
-OF_THE_SHOT = {"start_frame", "delay", "use_ground", "ground", "all_attributes", "preview", "influence", "seed", "look"}
-LEFT_ALONE = {
-    "start_frame",
+_OF_TIME = {"start_frame", "time_speed", "use_loop", "loop_start", "loop_end"}
+OF_THE_SHOT = _OF_TIME | {"delay", "use_ground", "ground", "all_attributes", "preview", "influence", "seed", "look"}
+LEFT_ALONE = _OF_TIME | {
+    "emitter_velocity",
+    "use_local",
+    "use_scale",
     "all_attributes",
     "preview",
     "influence",

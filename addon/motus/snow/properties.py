@@ -50,8 +50,8 @@ def _redress(settings, context):
 class SnowKeywords:
     """Mixin of an emitter's settings and of the operator that adds snow; in scripts the names are the operator's keywords.
 
-    Nearly all of these properties cannot be animated: all flakes of all times follow from a single value of each, and with keys there
-    would be different flakes on each frame.
+    Most of these properties cannot be animated: all flakes of all times follow from a single value of each, and with keys there would be
+    different flakes on each frame.
     """
 
     start_speed: number("Speed", "Speed at which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
@@ -59,7 +59,7 @@ class SnowKeywords:
     start_size: number(
         "Size", "Size of the flakes, as a multiple of Flake Width or the scale of an object", 1.0, min=0.0, soft_min=0.1, soft_max=10.0
     )
-    rate: number("Rate", "Flakes that are born in a second", 5.0, min=0.0, soft_max=1000.0, step=1000)
+    rate: number("Rate", "Flakes that are born in a second; it may be keyed", 5.0, ANIMATED, min=0.0, soft_max=1000.0, step=1000)
     delay: number(
         "Delay", "Seconds from the start frame until the first flakes are born", 0.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE'
     )
@@ -70,6 +70,19 @@ class SnowKeywords:
     start_frame: number(
         "Start", "Frame at which the snow's time starts; before the scene's first frame, flakes are already in the air there", 1.0, step=100
     )
+
+    time_speed: number(
+        "Time Speed",
+        "Speed of the snow's own time: 0.5 is slow motion, and at 0 it stands still; it may be keyed",
+        1.0,
+        ANIMATED,
+        min=0.0,
+        max=1000.0,
+        soft_max=2.0,
+    )
+    use_loop: switch("Loop", "Let the snowfall repeat over a range of frames, without a seam")
+    loop_start: whole("Start", "First frame of the loop", 1)
+    loop_end: whole("End", "Frame on which the loop begins again, which looks like its first one", 251)
 
     shape: bpy.props.EnumProperty(
         name="Emitter",
@@ -92,6 +105,18 @@ class SnowKeywords:
         soft_max=0.5 * math.pi,
         subtype='ANGLE',
     )
+
+    emitter_velocity: number(
+        "Emitter Velocity",
+        "Share of the emitter's velocity that flakes leave with, beside their own",
+        0.0,
+        min=-1e3,
+        max=1e3,
+        soft_min=0.0,
+        soft_max=1.0,
+    )
+    use_local: switch("Local Space", "Flakes follow the emitter, as if it had always stood where it stands now")
+    use_scale: switch("Size by Scale", "The emitter's scale counts for the size of the flakes")
 
     closest: number(
         "Closest", "Smallest distance from the camera at which flakes are born", 0.5, min=0.0, soft_max=10.0, subtype='DISTANCE'

@@ -13,6 +13,14 @@ def _leans(settings):
     return settings.shape == 'CONE' or settings.random_orientation
 
 
+def _repeats_not(settings):
+    return not settings.use_loop
+
+
+def _moves_alone(settings):
+    return settings.shape != 'CAMERA' and not settings.use_local
+
+
 def _is_bound(settings):
     return settings.shape == 'CAMERA' and any(marker.camera for marker in bpy.context.scene.timeline_markers)
 
@@ -23,8 +31,9 @@ EMISSION = Rows(
         "lifetime",
         "start_size",
         "rate",
-        "start_frame",
-        "delay",
+        "time_speed",
+        Row("start_frame", when=_repeats_not),
+        Row("delay", when=_repeats_not),
         "looping",
         Row("duration", when=lambda settings: not settings.looping),
         "burst",
@@ -32,6 +41,8 @@ EMISSION = Rows(
     ),
     title="Emission",
 )
+LOOP = Rows((Row("loop_start", when=_is_on("use_loop")), Row("loop_end", when=_is_on("use_loop"))))
+REPEAT = Rows(("use_loop", *LOOP.rows), title="Loop")
 SHAPE = Rows(("shape",))
 EXTENT = Rows(
     (
@@ -40,6 +51,9 @@ EXTENT = Rows(
         Row("closest", when=is_one_of("shape", 'CAMERA')),
         Row("farthest", when=is_one_of("shape", 'CAMERA')),
         Row("follow_markers", when=_is_bound),
+        Row("emitter_velocity", when=_moves_alone),
+        Row("use_local", when=is_not("shape", 'CAMERA')),
+        Row("use_scale", when=is_not("shape", 'CAMERA')),
     )
 )
 EMITTER = Rows((*SHAPE.rows, *EXTENT.rows), title="Emitter")
@@ -93,4 +107,4 @@ FLAKES = Rows(
 )
 LOOK = Rows(("look", _WIDTH, "all_attributes", "preview", "influence"), title="Flakes")
 """Rows of the look in the redo panel of the operator, which has no pointers to objects but properties with their names."""
-ALL = (EMISSION, EMITTER, RANDOM, SNOW, AIR, LANDING, LOOK)
+ALL = (EMISSION, REPEAT, EMITTER, RANDOM, SNOW, AIR, LANDING, LOOK)

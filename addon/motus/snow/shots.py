@@ -16,26 +16,25 @@ ACROSS = 5
 """Number of places, along each axis of the view, at which two views are compared."""
 
 
-def alone(poses, moved, view, frame, start_frame, fps):
+def alone(poses, moved, view, frame, clock):
     """Poses of a camera within the shot that `frame` is in, as if the camera filmed this shot at all times.
 
     Samples outside the shot are dropped; the first and last pose within the shot hold beyond it. A shot lies between two cuts, at
     which the view jumps. poses: births.Poses of the camera. moved: Track of the camera (world matrices at any frame).
-    view: (half the angles of the view, closest, farthest), hashable.
-    start_frame: frame at which the seconds of the poses begin.
+    view: (half the angles of the view, closest, farthest), hashable. clock: Clock of the poses.
     """
-    first, last = (start_frame + fps * poses.seconds[at] for at in (0, -1))
+    first, last = poses.frames
     cuts, before = tracks.kept(moved, ("snow shots", view, first, last), lambda: _cuts(moved, view, first, last))
     if len(cuts) == 0:
         return poses
     number = int(np.searchsorted(cuts, frame, side="right"))
-    starts = (cuts - start_frame) / fps
+    starts, just_before = clock.many(cuts), clock.many(cuts - SUDDEN)
     start = starts[number - 1] if number > 0 else -math.inf
     end = starts[number] if number < len(cuts) else math.inf
     inside = (poses.seconds >= start) & (poses.seconds < end)
     seconds, matrices = poses.seconds[inside], poses.matrices[inside]
-    if number < len(cuts) and end - SUDDEN / fps > seconds[-1]:
-        seconds = np.append(seconds, end - SUDDEN / fps)
+    if number < len(cuts) and just_before[number] > seconds[-1]:
+        seconds = np.append(seconds, just_before[number])
         matrices = np.append(matrices, before[number : number + 1], axis=0)
     return poses._replace(stamp=(poses.stamp, number), seconds=seconds, matrices=matrices)
 

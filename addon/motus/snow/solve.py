@@ -11,8 +11,9 @@ from ..core.declare import Geometries, Geometry, Matrix, OwnMatrix, Points, Prob
 from ..core.evaluated.shares import waits_for_all
 from ..core.file import deleted
 from ..core.file.pointers import pointed
+from ..core.lazy import numpy as np
 from ..core.scenery import meshes
-from . import births, colliders, flakes, landings, view
+from . import births, clock, colliders, flakes, landings, view
 
 NO_SURFACE = Problem("Choose the mesh that emits the flakes")
 SURFACE_DELETED = Problem("The mesh that emits the flakes is in no collection any more: choose another one")
@@ -22,6 +23,7 @@ NO_FLAKES = Problem("Choose what flakes look like: there is no such object or co
 FLAT = Problem("The emitter has a scale of 0, and can show no flakes")
 UNBAKEABLE = Problem("Flakes are computed on each frame: there is nothing to bake")
 UNKNOWN_WIND = Problem("The wind is not known ahead, and blows on all frames as it does now: key it, or record it", blocking=False)
+UNKNOWN_RATE = Problem("The rate is not known ahead, and counts for all frames as it is now: key it, or record it", blocking=False)
 FINDING = Problem("Flakes appear as soon as it is known where they land", blocking=False)
 PROBLEMS = (
     *colliders.PROBLEMS,
@@ -31,6 +33,8 @@ PROBLEMS = (
     *view.PROBLEMS,
     UNKNOWN,
     UNKNOWN_WIND,
+    UNKNOWN_RATE,
+    *clock.PROBLEMS,
     FINDING,
     NO_FLAKES,
     FLAT,
@@ -70,14 +74,16 @@ INPUTS = (
 class _Read(NamedTuple):
     """Settings of an emitter that each solve needs, read once for as long as nothing animates them.
 
-    life: most seconds that a flake lives. start: first frame. shown: share of the flakes in the viewport, 0 to 1.
+    life: most own seconds that a flake lives. shown: share of the flakes in the viewport, 0 to 1.
+    is_local: whether flakes follow the emitter. has_scale: whether the emitter's scale counts for their size.
     """
 
     shape: str
     look: str
     life: float
-    start: float
     shown: float
+    is_local: bool
+    has_scale: bool
     use_ground: bool
     lands: bool
 
@@ -88,8 +94,9 @@ class _Read(NamedTuple):
             settings.shape,
             settings.look,
             flakes.longest_life(settings),
-            settings.start_frame,
             settings.preview / 100.0,
+            settings.use_local,
+            settings.use_scale,
             settings.use_ground,
             colliders.are_any(settings),
         )
@@ -125,21 +132,44 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
         if isinstance(angles, Problem):
             return angles
         unseen = view.lens_problem(camera.data)
-    poses, problem = _poses(context, camera or source(context.owner), emitter, angles, read)
-    wind, is_sure = context.kept("wind", None, lambda: births.winds(context.owner, context.frame, read.life, read.start, context.fps))
-    if poses is None or wind is None:
+    own, loop, late = context.kept("time", context.fps, lambda: _time(context, read))
+    if late is clock.TOO_SHORT:
+        return late
+    poses, problem = _poses(context, camera or source(context.owner), emitter, angles, read, own, loop)
+    wind, rate, unsure = context.kept("over time", None, lambda: _over_time(context, read, own, loop))
+    if poses is None or wind is None or rate is None:
         return flakes.NOT_FINITE
     acceleration = tuple(scene.gravity) if scene.use_gravity else (0.0, 0.0, 0.0)
-    barrier, fault = colliders.barrier(context) if read.lands else (None, None)
-    snow = flakes.made(keywords, acceleration, poses, wind, faces, angles, barrier)
+    barrier, carriers, fault = colliders.barrier(context, own, loop, read.life) if read.lands else (None, (), None)
+    count = 0.0
+    if loop:
+        keywords, rate, count = flakes.looped(keywords, rate, loop.period)
+    snow = flakes.made(keywords, acceleration, poses, wind, rate, faces, angles, barrier, carriers)
     if isinstance(snow, Problem):
         return snow
-    seconds = (context.frame - read.start) / context.fps
+    when = flakes.moments(own, loop, context.frame, read.life, count)
     is_viewport = not waits_for_all(context.depsgraph)
-    is_found = not (is_viewport and landings.are_left(context, snow, seconds, read.lands or read.use_ground))
-    flakes.fill(context.points, snow, seconds, read.shown if is_viewport else 1.0, is_found)
-    unsure = None if is_sure else UNKNOWN_WIND
-    return problem or unseen or unsure or fault or (None if is_found else FINDING) or _look_problem(settings, read.look)
+    is_found = not (is_viewport and landings.are_left(context, snow, when, read.lands or read.use_ground))
+    found = flakes.fill(context.points, snow, when, read.shown if is_viewport else 1.0, is_found)
+    if read.has_scale and read.shape != 'CAMERA':
+        found["radius"] *= np.float32(abs(emitter.determinant()) ** (1.0 / 3.0))
+    if "velocity" in found and (own.keyed or own.speed != 1.0):
+        found["velocity"] *= np.float32(own.speed_at(loop.within(context.frame) if loop else context.frame))
+    return problem or unseen or late or unsure or fault or (None if is_found else FINDING) or _look_problem(settings, read.look)
+
+
+def _time(context, read):
+    """Return (Clock, Loop or None, Problem to show or None) of the emitter. read: the emitter's _Read."""
+    own, is_known = clock.read(context.owner, context.fps)
+    own, loop, problem = clock.looped(context.settings, own, read.life)
+    return own, loop, problem or (None if is_known else clock.UNKNOWN)
+
+
+def _over_time(context, read, own, loop):
+    """Return (wind, rate, Problem to show or None) over the lives of the flakes; the wind or rate is None if it is not finite."""
+    wind, is_wind_known = births.winds(context.owner, context.frame, read.life, own, loop)
+    rate, is_rate_known = births.rate_of(context.owner, context.frame, own, loop)
+    return wind, rate, UNKNOWN_WIND if not is_wind_known else UNKNOWN_RATE if not is_rate_known else None
 
 
 def source(owner):
@@ -151,13 +181,15 @@ def source(owner):
     return {'SURFACE': pointed(settings, "surface"), 'CAMERA': pointed(settings, "camera")}.get(settings.shape, owner)
 
 
-def _poses(context, born_at, present, angles, read):
+def _poses(context, born_at, present, angles, read, own, loop):
     """Return (births.Poses over time, Problem to show or None); the Poses are None if they are not finite.
 
     born_at: object whose poses count. present: its world matrix now. angles: half the angles of a camera's view, otherwise None.
-    read: the emitter's _Read.
+    read: the emitter's _Read. own, loop: its Clock, and Loop or None.
     """
     settings, scene = context.settings, context.depsgraph.scene
+    if read.is_local and angles is None:  # all flakes are where they would be if the emitter had always stood where it stands now
+        return births.standing(present), None
     if born_at == context.owner:
         keys = strips.stamp_of(born_at.animation_data)
         if context.kept("stands", keys, lambda: births.stands(born_at, scene)):
@@ -168,8 +200,8 @@ def _poses(context, born_at, present, angles, read):
         present,
         context.frame,
         read.life,
-        read.start,
-        context.fps,
+        own,
+        loop,
         None if angles is None else (angles, settings.closest, settings.farthest),
     )
     return poses, None if is_known else UNKNOWN

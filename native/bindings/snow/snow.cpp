@@ -134,6 +134,13 @@ void set_wind(const ArrayLike& wind, const ArrayLike& times, const py::object& v
     settings.wind_values = copied(winds.values());
 }
 
+void set_rate(const Number& rate, const OptionalArrayLike& times, const OptionalArrayLike& values,
+              SnowSettings& settings) {
+    settings.rate = number(rate, "rate");
+    const DoubleArray at = row(times, "rate_times"), of = row(values, "rate_values");
+    settings.rate_keys = {{at.data(), at.data() + at.size()}, {of.data(), of.data() + of.size()}};
+}
+
 [[nodiscard]] std::shared_ptr<Collider> collider_of(const ArrayLike& positions, const ArrayLike& triangles) {
     const Positions given_points(positions, "collider_positions");
     const IndexRows<glm::ivec3> given_corners(triangles, "collider_triangles");
@@ -141,6 +148,25 @@ void set_wind(const ArrayLike& wind, const ArrayLike& times, const py::object& v
     const std::vector<glm::ivec3> corners = copied(given_corners.values());
     const py::gil_scoped_release released;
     return std::make_shared<Collider>(points, corners);
+}
+
+using MoverList = Typed<
+    "typing.Sequence[tuple[motus_native.SnowCollider, numpy.typing.ArrayLike, numpy.typing.ArrayLike]]">;
+
+void set_movers(const MoverList& movers, SnowSettings& settings) {
+    if (!py::isinstance<py::sequence>(movers)) wrong_type(movers, "movers", "a sequence");
+    for (const py::handle one : movers) {
+        if (!py::isinstance<py::sequence>(one) || py::len(one) != 3)
+            wrong_type(py::reinterpret_borrow<py::object>(one), "movers",
+                       "a sequence of colliders, times and matrices");
+        const auto parts = py::reinterpret_borrow<py::sequence>(one);
+        const py::object collider = parts[0], times = parts[1], poses = parts[2];
+        static_cast<void>(instance<Collider>(collider, "movers", "a SnowCollider"));
+        const DoubleArray at = row(times, "movers");
+        settings.movers.push_back({collider.cast<std::shared_ptr<Collider>>(),
+                                   {at.data(), at.data() + at.size()},
+                                   matrices(poses, "movers")});
+    }
 }
 
 void set_collisions(const OptionalNumber& ground, const py::object& collider, const CollisionName& collision,
@@ -162,26 +188,28 @@ void set_collisions(const OptionalNumber& ground, const py::object& collider, co
 [[nodiscard]] Snow snow_of(
     const Number& start_speed, const Number& lifetime, const Number& start_size,
     const Typed<"tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None">& start_color,
-    const Number& rate, const Number& delay, const Number& duration, const Flag& looping,
-    const OptionalArrayLike& burst_times, const OptionalArrayLike& burst_counts,
-    const EmitterShapeName& shape, const OptionalArrayLike& surface_positions,
-    const OptionalArrayLike& surface_triangles, const ArrayLike& frustum_angles, const Number& frustum_near,
-    const Number& frustum_far, const Number& cone_angle, const Number& cone_radius, const Flag& random_speed,
+    const Number& rate, const OptionalArrayLike& rate_times, const OptionalArrayLike& rate_values,
+    const Number& delay, const Number& duration, const Flag& looping, const OptionalArrayLike& burst_times,
+    const OptionalArrayLike& burst_counts, const EmitterShapeName& shape,
+    const OptionalArrayLike& surface_positions, const OptionalArrayLike& surface_triangles,
+    const ArrayLike& frustum_angles, const Number& frustum_near, const Number& frustum_far,
+    const Number& cone_angle, const Number& cone_radius, const Flag& random_speed,
     const Flag& random_orientation, const Flag& random_lifetime, const Flag& random_size,
     const Flag& random_color, const Flag& snow, const Number& max_angle, const Number& snow_frequency,
     const Flag& snow_offsets, const Flag& gravity, const ArrayLike& acceleration, const Number& drag,
     const ArrayLike& wind, const OptionalArrayLike& wind_times, const OptionalArrayLike& wind_values,
-    const Number& gusts, const Number& gust_frequency, const Number& turbulence,
+    const Number& gusts, const Number& gust_frequency, const Number& period, const Number& turbulence,
     const Number& turbulence_size, const Number& tumble, const OptionalNumber& ground,
     const Typed<"motus_native.SnowCollider | None">& collider, const CollisionName& collision,
-    const OptionalNumber& rest_time, const Number& melt_time, const Number& friction, const WholeNumber& seed,
-    const OptionalArrayLike& emitter_times, const OptionalArrayLike& emitter_matrices) {
+    const OptionalNumber& rest_time, const Number& melt_time, const Number& friction, const MoverList& movers,
+    const WholeNumber& seed, const OptionalArrayLike& emitter_times,
+    const OptionalArrayLike& emitter_matrices, const Number& inherited) {
     SnowSettings settings;
     settings.start_speed = number(start_speed, "start_speed");
     settings.lifetime = number(lifetime, "lifetime");
     settings.start_size = number(start_size, "start_size");
     if (!start_color.is_none()) settings.start_color = gradient(start_color);
-    settings.rate = number(rate, "rate");
+    set_rate(rate, rate_times, rate_values, settings);
     settings.delay = number(delay, "delay");
     settings.duration = number(duration, "duration");
     settings.looping = flag(looping, "looping");
@@ -206,12 +234,15 @@ void set_collisions(const OptionalNumber& ground, const py::object& collider, co
     set_wind(wind, wind_times, wind_values, settings);
     settings.gusts = number(gusts, "gusts");
     settings.gust_frequency = number(gust_frequency, "gust_frequency");
+    settings.period = number(period, "period");
     settings.turbulence = number(turbulence, "turbulence");
     settings.turbulence_size = number(turbulence_size, "turbulence_size");
     settings.tumble = number(tumble, "tumble");
     set_collisions(ground, collider, collision, rest_time, melt_time, friction, settings);
+    set_movers(movers, settings);
     settings.seed = seed_of(seed);
     set_emitter(emitter_times, emitter_matrices, settings);
+    settings.inherited = number(inherited, "inherited");
     return Snow(settings);
 }
 
@@ -416,9 +447,10 @@ Flakes at any time, in any order of times, without a state or a cache. Immutable
 
 start_speed, start_size: of each flake.  lifetime: s, >= 0.  start_color: a gradient, a pair of positions (k,), rising, and
 colours (k, 4); None is white. Flakes have its first colour.
-rate: flakes a second, >= 0; flake i of a steady stream is born at delay + (i + 1) / rate.  delay, duration: s, >= 0; the
-stream ends after `duration`, unless looping.  burst_times (s after the delay), burst_counts: (b,), flakes that come all at
-once, numbered where they are born.
+rate: flakes a second, >= 0; flake i of a steady stream is born at delay + (i + 1) / rate.  rate_times (r,), s, rising,
+rate_values (r,), >= 0: in place of it a rate that goes evenly from each value to the next; flake i is born when its integral
+from the delay on is i + 1.  delay, duration: s, >= 0; the stream ends after `duration`, unless looping.
+burst_times (s after the delay), burst_counts: (b,), flakes that come all at once, numbered where they are born.
 shape: 'square', 'disc', 'box', 'sphere', 'cone' in the emitter's space, of half width or radius cone_radius, >= 0; flakes
 leave along its +Z, of a sphere away from the middle, of a cone leaning outwards, at the edge by cone_angle, [0, pi]; or
 'surface': surface_positions (v, 3), surface_triangles (t, 3), evenly over their area, along their normals; or
@@ -430,7 +462,8 @@ snow: as it flies, a flake turns by up to max_angle about the world's X and Y, a
 snow_frequency times a second; snow_offsets: each flake has a time of its own in the noise.
 gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s; with
 wind_times (w,), s, rising, and wind_values (w, 3) it goes evenly from each of these to the next, and is held before and after.
-It varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
+It varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  period: s, after which gusts and eddies are as
+they were, for which their frequencies are changed a little; 0: never.  turbulence: m/s, root
 mean square, of air in eddies of turbulence_size m that flakes are carried along by.  tumble: rad/s up to which they spin.
 ground: height that flakes land on from above; None: they do not.  collider: a SnowCollider or None.  A flake lands once, on
 what it meets first after birth, of a collider rather than the ground at the same height; a way between looks counts as
@@ -439,26 +472,31 @@ as it was turned; 'slide', straight down the triangle and those beyond its edges
 (with gravity or without) and friction, >= 0, slows it, until it stops, at a loose edge, or where two lead down to one edge;
 'melt', smaller and smaller over melt_time, s, and then gone.  rest_time: s after which a landed flake is gone; None: when its
 lifetime ends, as it does anyway. Where flakes land is found once and kept, for 18 million of all Snows at most (1 GB).
+movers: colliders that go from place to place, (SnowCollider in its own space, times (k,), s, rising, matrices (k, 4, 4) to world
+space, between which they go evenly) each; flakes that land on one are carried along, and do not slide.
 seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
 emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
+inherited: share of the velocity of the emitter's origin that a flake leaves with, beside its own.
 Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.)")
         .def(py::init(&snow_of), py::kw_only(), "start_speed"_a = 5.0, "lifetime"_a = 2.0,
-             "start_size"_a = 1.0, "start_color"_a = py::none(), "rate"_a = 5.0, "delay"_a = 0.0,
-             "duration"_a = 5.0, "looping"_a = true, "burst_times"_a = py::none(),
-             "burst_counts"_a = py::none(), "shape"_a = "square", "surface_positions"_a = py::none(),
-             "surface_triangles"_a = py::none(), "frustum_angles"_a = py::make_tuple(0.4, 0.25),
-             "frustum_near"_a = 0.1, "frustum_far"_a = 20.0, "cone_angle"_a = 0.0, "cone_radius"_a = 1.0,
-             "random_speed"_a = false, "random_orientation"_a = false, "random_lifetime"_a = false,
-             "random_size"_a = false, "random_color"_a = false, "snow"_a = false,
-             "max_angle"_a = 1.3962634015954636, "snow_frequency"_a = 1.0, "snow_offsets"_a = false,
-             "gravity"_a = false, "acceleration"_a = py::make_tuple(0.0, 0.0, -9.81), "drag"_a = 0.0,
+             "start_size"_a = 1.0, "start_color"_a = py::none(), "rate"_a = 5.0, "rate_times"_a = py::none(),
+             "rate_values"_a = py::none(), "delay"_a = 0.0, "duration"_a = 5.0, "looping"_a = true,
+             "burst_times"_a = py::none(), "burst_counts"_a = py::none(), "shape"_a = "square",
+             "surface_positions"_a = py::none(), "surface_triangles"_a = py::none(),
+             "frustum_angles"_a = py::make_tuple(0.4, 0.25), "frustum_near"_a = 0.1, "frustum_far"_a = 20.0,
+             "cone_angle"_a = 0.0, "cone_radius"_a = 1.0, "random_speed"_a = false,
+             "random_orientation"_a = false, "random_lifetime"_a = false, "random_size"_a = false,
+             "random_color"_a = false, "snow"_a = false, "max_angle"_a = 1.3962634015954636,
+             "snow_frequency"_a = 1.0, "snow_offsets"_a = false, "gravity"_a = false,
+             "acceleration"_a = py::make_tuple(0.0, 0.0, -9.81), "drag"_a = 0.0,
              "wind"_a = py::make_tuple(0.0, 0.0, 0.0), "wind_times"_a = py::none(),
-             "wind_values"_a = py::none(), "gusts"_a = 0.0, "gust_frequency"_a = 0.3, "turbulence"_a = 0.0,
-             "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(), "collider"_a = py::none(),
-             "collision"_a = "stay", "rest_time"_a = py::none(), "melt_time"_a = 1.0, "friction"_a = 0.5,
-             "seed"_a = 0, "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none())
+             "wind_values"_a = py::none(), "gusts"_a = 0.0, "gust_frequency"_a = 0.3, "period"_a = 0.0,
+             "turbulence"_a = 0.0, "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(),
+             "collider"_a = py::none(), "collision"_a = "stay", "rest_time"_a = py::none(),
+             "melt_time"_a = 1.0, "friction"_a = 0.5, "movers"_a = py::make_tuple(), "seed"_a = 0,
+             "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none(), "inherited"_a = 0.0)
         .def("landings", &landings, "end"_a, R"(
-Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
+Where flakes land until `end`, s, but for movers, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
 (n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 10 us each.
 
 Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)")

@@ -35,9 +35,11 @@ class Round {
 
     void split() {
         first_ = static_cast<int>(mesh_.positions.size());
-        for (const std::uint64_t edge : halved_)
-            mesh_.positions.push_back(
-                0.5F * (mesh_.positions[edge >> 32U] + mesh_.positions[static_cast<std::uint32_t>(edge)]));
+        for (const std::uint64_t edge : halved_) {
+            const auto low = static_cast<std::uint32_t>(edge >> 32U), high = static_cast<std::uint32_t>(edge);
+            mesh_.positions.push_back(0.5F * (mesh_.positions[low] + mesh_.positions[high]));
+            mesh_.ends.emplace_back(static_cast<int>(low), static_cast<int>(high));
+        }
         const std::vector<glm::ivec3> before = std::exchange(mesh_.triangles, {});
         mesh_.triangles.reserve(before.size() + 2 * halved_.size());
         for (const glm::ivec3& corners : before) split(corners);
@@ -116,7 +118,7 @@ Refined refine(std::span<const glm::vec3> positions, std::span<const glm::ivec3>
         for (int i = 0; i < 3; ++i)
             require(corners[i] >= 0 && static_cast<std::size_t>(corners[i]) < positions.size(),
                     "triangles: must hold indices of vertices");
-    Refined mesh{{positions.begin(), positions.end()}, {triangles.begin(), triangles.end()}};
+    Refined mesh{{positions.begin(), positions.end()}, {triangles.begin(), triangles.end()}, {}};
     const auto check = [&](std::size_t more) {
         require(mesh.positions.size() + more <= most_vertices &&
                     mesh.triangles.size() + 2 * more <= 4 * most_vertices,

@@ -39,12 +39,13 @@ Relaxation relaxation(double age, double drag) {
     return {1.0 - x * first, age * first, age * age * second, age * age * age * third};
 }
 
-Air::Air(const glm::dvec3& acceleration, double drag, const glm::dvec3& wind, double gusts, double frequency)
-    : steady_(acceleration + drag * wind), drag_(drag), gusty_(gusts * wind), waves_(frequency) {}
+Air::Air(const glm::dvec3& acceleration, double drag, const glm::dvec3& wind, double gusts, double frequency,
+         double period)
+    : steady_(acceleration + drag * wind), drag_(drag), gusty_(gusts * wind), waves_(frequency, period) {}
 
 Air::Air(const glm::dvec3& acceleration, double drag, std::span<const double> times,
-         std::span<const glm::dvec3> winds, double gusts, double frequency)
-    : Air(acceleration, drag, glm::dvec3(0.0), 0.0, frequency) {
+         std::span<const glm::dvec3> winds, double gusts, double frequency, double period)
+    : Air(acceleration, drag, glm::dvec3(0.0), 0.0, frequency, period) {
     gusts_ = gusts;
     // Before the first key the wind has always been there.
     Key key;

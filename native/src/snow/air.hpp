@@ -24,10 +24,12 @@ struct Relaxation {
 /// F(birth), F a solution for all times, which is known at each key, and so is its integral.
 class Air {
   public:
-    Air(const glm::dvec3& acceleration, double drag, const glm::dvec3& wind, double gusts, double frequency);
+    /// period: of the gusts, s, 0 for none, as noise::Gusts has it.
+    Air(const glm::dvec3& acceleration, double drag, const glm::dvec3& wind, double gusts, double frequency,
+        double period = 0.0);
     /// times: rising, one for each wind; held before the first and after the last.
     Air(const glm::dvec3& acceleration, double drag, std::span<const double> times,
-        std::span<const glm::dvec3> winds, double gusts, double frequency);
+        std::span<const glm::dvec3> winds, double gusts, double frequency, double period = 0.0);
 
     /// n, from -1 to 1.
     [[nodiscard]] double gust(double time) const;

@@ -91,6 +91,7 @@ Glide Emitter::between(const Pose& a, const Pose& b) {
     glide.stretch = rows_of(a.stretch);
     glide.stretch_change = rows_of(b.stretch - a.stretch);
     glide.location_change = floats_of(b.location - a.location);
+    glide.velocity = floats_of((b.location - a.location) / (b.time - a.time));
     glm::dquat turn = glm::conjugate(a.rotation) * b.rotation;
     if (turn.w < 0.0) turn = -turn;
     const glm::dvec3 axis(turn.x, turn.y, turn.z);

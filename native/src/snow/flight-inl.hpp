@@ -50,11 +50,14 @@ HWY_INLINE Floats speeds(const Kind& kind, const Scratch& rows, std::size_t i) {
 /// Places of birth, and the velocities there.
 inline void to_world(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
     const bool is_world = kind.shape == Shape::frustum;  // what the directions are in
+    const bool inherits = kind.inherited != 0.0F && run.glide.is_moving;
+    const Vectors inherited = vectors(run.glide.velocity) * floats(kind.inherited);
     for (std::size_t i = 0; i < n; i += lanes) {
         const Floats w = part_of(run.glide, load(rows.u, i));
         const Vectors direction = load(rows.direction, i);
-        store((is_world ? direction : direction_in_world(run.glide, w, direction)) * speeds(kind, rows, i),
-              rows.velocity, i);
+        const Vectors own =
+            (is_world ? direction : direction_in_world(run.glide, w, direction)) * speeds(kind, rows, i);
+        store(inherits ? own + inherited : own, rows.velocity, i);
         store(place_in_world(run.glide, w, load(rows.birth, i)), rows.birth, i);
     }
 }

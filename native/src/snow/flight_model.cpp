@@ -63,6 +63,8 @@ void require_valid(const SnowSettings& s) {
     require(std::ranges::adjacent_find(s.wind_times, std::ranges::greater_equal{}) == s.wind_times.end(),
             "wind_times: must rise");
     for (const glm::dvec3& wind : s.wind_values) require(is_single(wind), "wind_values: must be finite");
+    require(is_single(s.inherited), "inherited: must be finite");
+    require(s.period == 0.0 || is_between(s.period, 1e-6, 1e30), "period: must be 0, or from 1e-6 to 1e30");
     require(is_between(s.gusts, 0.0, 1e30), "gusts: must be at least 0 and finite");
     require(is_rate(s.gust_frequency), "gust_frequency: must be greater than 0 and at most 1000");
     require(is_between(s.turbulence, 0.0, 1e6), "turbulence: must be from 0 to 1e6");
@@ -78,8 +80,9 @@ void require_valid(const SnowSettings& s) {
 /// between them are then right to 1e-5 of a second's way.
 [[nodiscard]] double step_for(const SnowSettings& s) {
     double step = largest_step;
+    const double gusts = s.period > 0.0 ? std::max(s.gust_frequency, 1.0 / s.period) : s.gust_frequency;
     const double fastest =
-        std::max({s.snow ? s.snow_frequency : 0.0, 0.25 * s.drag, s.gusts > 0.0 ? s.gust_frequency : 0.0});
+        std::max({s.snow ? s.snow_frequency : 0.0, 0.25 * s.drag, s.gusts > 0.0 ? gusts : 0.0});
     while (step * fastest > largest_step) step *= 0.5;
     return step;
 }
@@ -97,8 +100,8 @@ void require_valid(const SnowSettings& s) {
 
 [[nodiscard]] Air air_of(const SnowSettings& s) {
     const glm::dvec3 acceleration = s.gravity ? s.acceleration : glm::dvec3(0.0);
-    if (s.wind_times.empty()) return {acceleration, s.drag, s.wind, s.gusts, s.gust_frequency};
-    return {acceleration, s.drag, s.wind_times, s.wind_values, s.gusts, s.gust_frequency};
+    if (s.wind_times.empty()) return {acceleration, s.drag, s.wind, s.gusts, s.gust_frequency, s.period};
+    return {acceleration, s.drag, s.wind_times, s.wind_values, s.gusts, s.gust_frequency, s.period};
 }
 
 [[nodiscard]] glm::dvec3 mean_wind(const SnowSettings& s) {
@@ -150,7 +153,8 @@ void write_from(const Fields& out, std::size_t index, Run& run) {
 FlightModel::FlightModel(SnowSettings settings)
     : lifetime((require_valid(settings), settings.lifetime)),
       random_lifetime(settings.random_lifetime),
-      births(settings.rate, settings.delay, settings.duration, settings.looping, std::move(settings.bursts)),
+      births(settings.rate, settings.delay, settings.duration, settings.looping, std::move(settings.bursts),
+             settings.rate_keys),
       emitter(settings.emitter_times, settings.emitter_matrices),
       air(air_of(settings)),
       step(step_for(settings)),
@@ -182,6 +186,7 @@ FlightModel::FlightModel(SnowSettings settings)
     kind.cone_turn = static_cast<float>(settings.cone_angle / whole_turn);
     kind.speed = static_cast<float>(settings.start_speed);
     kind.speed_range = settings.random_speed ? speed_range : 0.0F;
+    kind.inherited = static_cast<float>(settings.inherited);
     kind.size = static_cast<float>(settings.start_size);
     kind.size_range = settings.random_size ? size_range : 0.0F;
     kind.random_color = settings.random_color;
@@ -202,7 +207,8 @@ FlightModel::FlightModel(SnowSettings settings)
     kind.carried = settings.snow || settings.drag == 0.0 ? 1.0F : 0.0F;
     if (kind.is_turbulent)
         kind.waves = waves_of(settings.turbulence, settings.turbulence_size,
-                              settings.drag > 0.0 ? mean_wind(settings) : glm::dvec3(0.0), settings.seed);
+                              settings.drag > 0.0 ? mean_wind(settings) : glm::dvec3(0.0), settings.seed,
+                              settings.period);
     kind.snow = settings.snow;
     if (!kind.snow) return;
 

@@ -45,6 +45,7 @@ struct Glide {
     Rows rotation{};
     std::array<float, 4> quaternion{1.0F, 0.0F, 0.0F, 0.0F};  ///< of the rotation, w, x, y, z
     std::array<float, 3> location{}, location_change{};
+    std::array<float, 3> velocity{};        ///< of the location, m/s
     float w_start = 0.0F, w_change = 0.0F;  ///< at u = 0, and from there to u = 1
 };
 
@@ -123,6 +124,7 @@ struct Kind {
     float cone_depth = 0.0F;        ///< 1 - cos(cone_angle)
     float cone_turn = 0.0F;         ///< cone_angle in whole turns
     float speed = 0.0F, speed_range = 0.0F;
+    float inherited = 0.0F;  ///< share of the emitter's velocity that is added
     float size = 1.0F, size_range = 0.0F;
     bool random_color = false;
     std::array<float, 4> first_color{};

@@ -17,20 +17,30 @@ constexpr std::size_t most_pages = std::size_t{1} << 20U;
 template <class T>
 using Row = Unfilled<T, block_size + padding>;
 
+// Rows have w first.
+[[nodiscard]] glm::dquat quaternion_of(const glm::vec4& row) {
+    return {row.x, row.y, row.z, row.w};
+}
+[[nodiscard]] glm::vec4 row_of(const glm::dquat& q) {
+    return {q.w, q.x, q.y, q.z};
+}
+
 }  // namespace
 
-/// A place on a flat surface.
+/// A place on a flat surface, in the space of a mover if that has it.
 struct Landings::Hit {
     glm::dvec3 point{0.0};
     glm::dvec3 normal{0.0, 0.0, 1.0};
     double part = 0.0;  ///< of the way that was looked at
     std::int32_t triangle = Landing::ground;
+    std::size_t mover = 0;  ///< for Landing::carried
 };
 
 Landings::Landings(const FlightModel& model, const SnowSettings& settings)
     : model_(model),
       ground_(settings.ground),
       collider_(settings.collider),
+      movers_(settings.movers),
       collision_(settings.collision),
       rest_time_(settings.collision == Collision::melt ? settings.melt_time : settings.rest_time),
       melt_time_(settings.melt_time),
@@ -63,7 +73,7 @@ std::optional<Landings::Hit> Landings::first_hit(const glm::dvec3& start, const 
     // Where the ground is as high as a surface, rounding does not decide what is met: the surface is.
     if (hit && !(first && hit->point.z < *ground_ - collider_->rounding()))
         first = {hit->point, collider_->normal(hit->triangle), hit->part,
-                 static_cast<std::int32_t>(hit->triangle)};
+                 static_cast<std::int32_t>(hit->triangle), 0};
     return first;
 }
 
@@ -101,12 +111,17 @@ class Landings::March {
         count_ = 0;
         std::size_t born = 0;
         for (double tick = std::floor(walkers_[0].birth / step); count_ > 0 || born < all;) {
-            if (count_ == 0) tick = std::max(tick, std::floor(walkers_[born].birth / step));
+            if (count_ == 0) {
+                tick = std::max(tick, std::floor(walkers_[born].birth / step));
+                now_.set(landings_.movers_, tick * step);
+            }
             tick += 1.0;
             const double time = tick * step;
             const std::size_t older = count_;
             while (born < all && walkers_[born].birth <= time) walkers_[count_++] = walkers_[born++];
             begin(time, older);
+            std::swap(before_, now_);
+            now_.set(landings_.movers_, time);
             go_on(time, page);
         }
     }
@@ -153,7 +168,7 @@ class Landings::March {
                 walker.from += left_out * (to - walker.from);
                 walker.since += static_cast<double>(left_out) * (time - walker.since);
             }
-            const std::optional<Hit> hit = landings_.first_hit(walker.from, to);
+            const std::optional<Hit> hit = first_hit(walker, time, to);
             if (hit) {
                 come_down(walker, time, to, *hit, page);
                 continue;
@@ -163,6 +178,20 @@ class Landings::March {
             if (time < walker.end) walkers_[kept++] = walker;
         }
         count_ = kept;
+    }
+
+    /// What a walker meets until a time, when it would be at `to`.
+    [[nodiscard]] std::optional<Hit> first_hit(const Walker& walker, double time, const glm::dvec3& to) {
+        std::optional<Hit> first = landings_.first_hit(walker.from, to);
+        const Movers& movers = landings_.movers_;
+        if (!movers.are_any()) return first;
+        // Those that have just been born were looked at between the ticks.
+        const bool is_new = walker.since > time - model_.look_step;
+        if (is_new) between_.set(movers, walker.since);
+        const auto hit = movers.first_hit(walker.from, is_new ? between_ : before_, to, now_);
+        if (hit && !(first && first->part <= hit->part))
+            first = {hit->point, hit->normal, hit->part, Landing::carried, hit->mover};
+        return first;
     }
 
     [[nodiscard]] glm::dvec3 position_at(const Walker& walker, double time) {
@@ -176,14 +205,22 @@ class Landings::March {
     }
 
     void come_down(const Walker& walker, double end, const glm::vec3& to, const Hit& hit, Page& page) {
+        const bool is_carried = hit.triangle == Landing::carried;
+        const auto in_space = [&](const glm::dvec3& at, double when) {
+            if (!is_carried) return at;
+            between_.set(landings_.movers_, when);
+            return between_.local(hit.mover, at);
+        };
         const auto above = [&](const glm::dvec3& at) { return glm::dot(at - hit.point, hit.normal); };
         // Where the way itself goes through the surface: Illinois, which keeps it between two times.
-        double low = walker.since, high = end, at_low = above(walker.from), at_high = above(to);
+        double low = walker.since, high = end, at_low = above(in_space(walker.from, low)),
+               at_high = above(in_space(to, high));
+        const bool is_below = at_low < 0.0;
         double time = low + hit.part * (end - low), off = 0.0;
         glm::dvec3 place(0.0);
         constexpr int most_rounds = 12;
         for (int round = 0; round < most_rounds; ++round) {
-            place = position_at(walker, time);
+            place = in_space(position_at(walker, time), time);
             off = above(place);
             const double rounding = 0x1p-23 * (glm::length(place) + glm::length(hit.point));
             if (std::abs(off) <= rounding || !(at_low * at_high < 0.0)) break;
@@ -207,6 +244,13 @@ class Landings::March {
         landing.point = place;
         landing.rotation = rotation_[0];
         landing.triangle = hit.triangle;
+        if (is_carried) {
+            landing.slide = static_cast<std::uint32_t>(hit.mover);
+            landing.is_behind = is_below;
+            landing.rotation = row_of(glm::conjugate(landings_.movers_.rotation(hit.mover, time)) *
+                                      quaternion_of(rotation_[0]));
+            return;
+        }
         landing.is_behind = glm::dot(glm::dvec3(velocity_[0]), hit.normal) > 0.0;
         if (landings_.collision_ != Collision::slide || hit.triangle == Landing::ground) return;
         landing.slide = static_cast<std::uint32_t>(page.slides.size());
@@ -225,6 +269,7 @@ class Landings::March {
     Row<std::uint32_t> lows_;
     Unfilled<double, padding> one_age_;
     Unfilled<std::uint32_t, padding> one_low_;
+    Movers::Spaces before_, now_, between_;  ///< at the last tick, at this one, and where they were needed
     std::array<glm::vec3, block_size> places_{};
     std::array<glm::vec3, 1> place_{}, velocity_{};
     std::array<glm::vec4, 1> rotation_{};
@@ -249,6 +294,12 @@ void Landings::land(const Page& page, double time, const std::uint32_t* lows, st
         const double since = time - page.times[slot];
         if (!(since >= 0.0)) continue;
         const Landing& landing = page.landings[slot];
+        if (!out.size.empty() && collision_ == Collision::melt)
+            out.size[row] *= static_cast<float>(1.0 - since / melt_time_);
+        if (landing.triangle == Landing::carried) {
+            carry(landing, time, out, row);
+            continue;
+        }
         glm::vec3 place = landing.point, velocity(0.0F);
         if (landing.slide_count > 0) {
             const auto slides = std::span(page.slides).subspan(landing.slide, landing.slide_count);
@@ -260,9 +311,16 @@ void Landings::land(const Page& page, double time, const std::uint32_t* lows, st
         if (!out.position.empty()) out.position[row] = place;
         if (!out.velocity.empty()) out.velocity[row] = velocity;
         if (!out.rotation.empty()) out.rotation[row] = landing.rotation;
-        if (!out.size.empty() && collision_ == Collision::melt)
-            out.size[row] *= static_cast<float>(1.0 - since / melt_time_);
     }
+}
+
+void Landings::carry(const Landing& landing, double time, const Fields& out, std::size_t row) const {
+    const std::size_t mover = landing.slide;
+    const glm::dvec4 place(landing.point, 1.0);
+    if (!out.position.empty()) out.position[row] = glm::vec3(movers_.matrix(mover, time) * place);
+    if (!out.velocity.empty()) out.velocity[row] = glm::vec3(movers_.rate(mover, time) * place);
+    if (!out.rotation.empty())
+        out.rotation[row] = row_of(movers_.rotation(mover, time) * quaternion_of(landing.rotation));
 }
 
 }  // namespace motus::snow

@@ -18,17 +18,18 @@
 #include "motus/core/cache.hpp"
 #include "motus/snow/collider.hpp"
 #include "motus/snow/snow.hpp"
+#include "movers.hpp"
 
 namespace motus::snow {
 
 struct Landing {
-    static constexpr std::int32_t nowhere = -2, ground = -1;  ///< in place of a triangle
+    static constexpr std::int32_t carried = -3, nowhere = -2, ground = -1;  ///< in place of a triangle
 
-    glm::vec3 point{0.0F};
+    glm::vec3 point{0.0F};  ///< carried: in the mover's space, like the rotation
     glm::vec4 rotation{1.0F, 0.0F, 0.0F, 0.0F};
     std::int32_t triangle = nowhere;
     bool is_behind = false;                    ///< it came from where the normal does not point to
-    std::uint32_t slide = 0, slide_count = 0;  ///< of the page's
+    std::uint32_t slide = 0, slide_count = 0;  ///< of the page's; carried: by the mover of number `slide`
 };
 
 /// Of the flakes of a block.
@@ -54,7 +55,9 @@ class Landings {
     Landings& operator=(Landings&&) = delete;
 
     /// Whether there is anything to land on.
-    [[nodiscard]] bool are_any() const noexcept { return ground_.has_value() || collider_ != nullptr; }
+    [[nodiscard]] bool are_any() const noexcept {
+        return ground_.has_value() || collider_ != nullptr || movers_.are_any();
+    }
     /// s that a flake lives after it landed, at most.
     [[nodiscard]] double rest_time() const noexcept { return rest_time_; }
     [[nodiscard]] const std::shared_ptr<const Collider>& collider() const noexcept { return collider_; }
@@ -78,6 +81,7 @@ class Landings {
     struct Hit;
     class March;
     [[nodiscard]] std::optional<Hit> first_hit(const glm::dvec3& start, const glm::dvec3& end) const;
+    void carry(const Landing& landing, double time, const Fields& out, std::size_t row) const;
 
     struct PageKey {
         std::uint64_t landings = 0;  ///< their number
@@ -106,6 +110,7 @@ class Landings {
     const FlightModel& model_;
     std::optional<double> ground_;
     std::shared_ptr<const Collider> collider_;
+    Movers movers_;
     Collision collision_;
     double rest_time_;
     double melt_time_;

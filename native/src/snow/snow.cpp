@@ -49,11 +49,15 @@ class Block {
             const std::uint64_t until = std::min(last, piece->last);
             const auto length = static_cast<std::size_t>(until - first);
             double* to = ages_.data() + count_;
-            if (piece->is_burst)
+            const std::uint64_t streamed = piece->streamed + (first - piece->first);
+            if (piece->is_burst) {
                 std::fill_n(to, length, time - piece->burst);
-            else
-                kernel_.ages(time, births_.delay(), births_.rate(), piece->streamed + (first - piece->first),
-                             length, to);
+            } else if (births_.has_keys()) {
+                births_.streamed(streamed, {to, length});
+                for (std::size_t i = 0; i < length; ++i) to[i] = time - to[i];
+            } else {
+                kernel_.ages(time, births_.delay(), births_.rate(), streamed, length, to);
+            }
             for (std::size_t i = 0; i < length; ++i)
                 lows_[count_ + i] = static_cast<std::uint32_t>(first + i);
             high_ = static_cast<std::uint32_t>(first >> 32U);
@@ -276,7 +280,7 @@ std::vector<Touchdown> Snow::touchdowns(double end, const Executor& executor) co
                     const auto page = landings.page(block);
                     for (std::size_t slot = 0; slot < block_size; ++slot) {
                         const Landing& landing = page->landings.at(slot);
-                        if (page->times.at(slot) <= end)
+                        if (page->times.at(slot) <= end && landing.triangle != Landing::carried)
                             of_blocks[block].push_back({page->times.at(slot), block * block_size + slot,
                                                         landing.point, landing.triangle, landing.is_behind});
                     }

@@ -15,8 +15,8 @@ constexpr double whole_turn = 6.283185307179586;
 
 }  // namespace
 
-std::array<Wave, wave_count> waves_of(double speed, double size, const glm::dvec3& drift,
-                                      std::uint64_t seed) {
+std::array<Wave, wave_count> waves_of(double speed, double size, const glm::dvec3& drift, std::uint64_t seed,
+                                      double period) {
     std::array<Wave, wave_count> waves;
     const Key key{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)};
     for (std::size_t i = 0; i < wave_count; ++i) {
@@ -39,6 +39,7 @@ std::array<Wave, wave_count> waves_of(double speed, double size, const glm::dvec
         wave.vector = floats_of(vector);
         wave.velocity = floats_of(across * (speed * std::sqrt(2.0 / wave_count)));
         wave.frequency = (2.0 * static_cast<double>(fraction(words.c)) - 1.0) * speed / size;
+        if (period > 0.0) wave.frequency = std::floor(wave.frequency * period + 0.5) / period;
         wave.phase = static_cast<double>(fraction(words.d));
         wave.rate = static_cast<float>(glm::dot(vector, drift) + wave.frequency);
     }

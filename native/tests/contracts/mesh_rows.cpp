@@ -17,7 +17,7 @@ auto fields(Declared, T& v) {
 }
 template <Some<mesh::Refined> T>
 auto fields(Declared, T& v) {
-    return std::tie(v.positions, v.triangles);
+    return std::tie(v.positions, v.triangles, v.ends);
 }
 
 namespace {

@@ -110,15 +110,19 @@ void add_births(Table& table) {
         return std::tuple(births.count(2.0), births.most_within(1.0), births.pieces().size());
     };
     add(
-        table, "snow::Births::Births(rate, delay, duration, looping, bursts)",
-        [counted](double rate, double delay, double duration, const auto& given) {
-            return counted(Births(rate, delay, duration, false, given));
+        table, "snow::Births::Births(rate, delay, duration, looping, bursts, keys)",
+        [counted](double rate, double delay, double duration, const auto& given, const auto& times,
+                  const auto& values) {
+            return counted(Births(rate, delay, duration, false, given,
+                                  {{times.begin(), times.end()}, {values.begin(), values.end()}}));
         },
         arg("rate", 5.0, at_least(0.0)), arg("delay", 0.5, at_least(0.0)),
         arg("duration", 5.0, at_least(0.0)),
         of(bursts, each("bursts", &Burst::time, at_least(0.0)),
-           each("bursts", &Burst::count, from(0.0, 0x1p53).open())))
-        .costs("O(bursts log bursts)")
+           each("bursts", &Burst::count, from(0.0, 0x1p53).open())),
+        arg("rate_times", std::vector{0.2, 1.0}, rising().open(), as_many_as("`rate_values`")),
+        arg("rate_values", std::vector{3.0, 9.0}, at_least(0.0).open(), as_many_as("`rate_times`")))
+        .costs("O(bursts log bursts + keys)")
         .allocates(Memory::scratch)
         .adds("bursts hold 2^53 flakes at most");
     static const Births births(5.0, 0.5, 5.0, false, bursts);
@@ -234,6 +238,9 @@ void add_snows(Table& table) {
            member("wind", &S::wind, single),
            member("wind_times", &S::wind_times, rising().open(), as_many_as("`wind_values`")),
            member("wind_values", &S::wind_values, single, as_many_as("`wind_times`")),
+           member(
+               "period", &S::period,
+               numbers("0, or 1e-6 to 1e30", [](double x) { return x == 0.0 || (x >= 1e-6 && x <= 1e30); })),
            member("gusts", &S::gusts, size.open()),
            member("gust_frequency", &S::gust_frequency,
                   numbers("> 0 to 1000", [](double x) { return x > 0.0 && x <= 1000.0; }).open()),
@@ -242,6 +249,7 @@ void add_snows(Table& table) {
            member("tumble", &S::tumble, from(0.0, 1e6)), member("ground", &S::ground, single),
            member("rest_time", &S::rest_time, numbers("≥ 0, or infinity", [](double x) { return x >= 0.0; })),
            member("melt_time", &S::melt_time, size), member("friction", &S::friction, size),
+           member("inherited", &S::inherited, single),
            member("emitter_times", &S::emitter_times, rising().open(), as_many_as("`emitter_matrices`")),
            member("emitter_matrices", &S::emitter_matrices, finite().open(), as_many_as("`emitter_times`"))))
         .costs("O(1), or a table of the steering")

@@ -203,7 +203,10 @@ TEST_CASE("births, covers and layers of any numbers are refused or finite", "[fu
     for (int round = 0; round < 300; ++round) {
         returns([&] {
             const Births births(dice.number(0.0, 9.0), dice.number(0.0, 1.0), dice.number(0.0, 9.0),
-                                dice.chance(0.5), {{dice.number(0.0, 3.0), dice.bits() >> dice.below(64)}});
+                                dice.chance(0.5), {{dice.number(0.0, 3.0), dice.bits() >> dice.below(64)}},
+                                dice.chance(0.5) ? RateKeys{}
+                                                 : RateKeys{{dice.number(-1.0, 1.0), dice.number(1.0, 3.0)},
+                                                            {dice.number(0.0, 9.0), dice.number(0.0, 9.0)}});
             CHECK(births.count_older(dice.number(), dice.number()) <= Births::most_ids);
             CHECK(births.count(dice.number()) <= Births::most_ids);
             (void)births.most_within(dice.number());

@@ -66,6 +66,13 @@ TEST_CASE("a refined mesh has short edges, the same surface and no gaps", "[mesh
         for (const glm::ivec3& t : triangles) before += glm::length(area(given, t));
         for (const glm::ivec3& t : found.triangles) after += glm::length(area(found, t));
         CHECK(after == Approx(before).epsilon(1e-5));
+        REQUIRE(found.ends.size() == found.positions.size() - positions.size());
+        for (std::size_t i = 0; i < found.ends.size(); ++i) {
+            const auto at = static_cast<int>(positions.size() + i);
+            const auto [low, high] = std::pair(found.ends[i].x, found.ends[i].y);
+            CHECK((low < at && high < at));
+            CHECK(glm::length(place(found, at) - 0.5 * (place(found, low) + place(found, high))) < 1e-6);
+        }
     }
 }
 

@@ -24,6 +24,18 @@ class SnowTest(unittest.TestCase):
         self.assertEqual(native.Snow().evaluate(0.1)["position"].shape, (0, 3))
         self.assertEqual(native.Snow(rate=0).evaluate(9)["position"].shape, (0, 3))
 
+    def test_a_keyed_rate_and_the_emitters_velocity(self):
+        snow = native.Snow(rate_times=[0.0, 2.0], rate_values=[0.0, 40.0], lifetime=9.0)
+        ages = snow.evaluate(2.0)["age"]
+        np.testing.assert_allclose(ages, 2.0 - np.sqrt((np.arange(40) + 1.0) / 10.0), atol=1e-6)
+        poses = np.tile(np.eye(4), (2, 1, 1))
+        poses[1, 0, 3] = 6.0
+        snow = native.Snow(emitter_times=[0.0, 2.0], emitter_matrices=poses, inherited=0.5, period=1.0)
+        np.testing.assert_allclose(snow.evaluate(1.5)["velocity"][:, 0], 1.5, atol=1e-6)
+        for wrong, name in (({"rate_times": [0.0]}, "rate_values"), ({"period": -1.0}, "period"), ({"inherited": np.nan}, "inherited")):
+            with self.assertRaisesRegex(ValueError, name):
+                native.Snow(**wrong)
+
     def test_only_fields_that_are_wanted(self):
         snow = native.Snow(rate=100, snow=True)
         self.assertEqual(list(snow.evaluate(3.0, ["age", "id"])), ["age", "id"])
@@ -198,7 +210,7 @@ class SnowTest(unittest.TestCase):
                 call()
 
     def test_layer(self):
-        corners, triangles = native.refine([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]], 0.3)
+        corners, triangles, ends = native.refine([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]], 0.3)
         layer = native.SnowLayer(corners, triangles)
         self.assertEqual(layer.vertex_count, len(corners))
         depths = np.where(corners[:, 0] > 0.4, 0.1, 0.0).astype(np.float32)

@@ -152,6 +152,41 @@ TEST_CASE("keyed wind carries flakes along, the same at any time", "[snow]") {
     for (const glm::vec3& velocity : flakes_at(snow, 40.0).velocity) CHECK(glm::length(velocity) < 1e-6F);
 }
 
+TEST_CASE("with a period gusts and eddies do to a flake what they did to the one a period before", "[snow]") {
+    SnowSettings settings = rich(64.0);
+    settings.bursts.clear();
+    settings.delay = 0.0;
+    settings.emitter_times.clear();
+    settings.emitter_matrices.clear();
+    // Nothing that is drawn by the flake's number.
+    settings.cone_radius = 0.0;
+    settings.random_speed = settings.random_orientation = settings.random_lifetime = settings.random_size =
+        false;
+    settings.random_color = settings.snow = false;
+    settings.tumble = 0.0;
+    settings.period = 1.5;
+    for (const bool has_keys : {false, true}) {
+        if (has_keys) {
+            settings.wind_times = {0.0};
+            settings.wind_values = {settings.wind};
+        }
+        const Snow snow(settings);
+        const Flakes before = flakes_at(snow, 4.0), after = flakes_at(snow, 5.5);
+        const Flakes between = flakes_at(snow, 4.75);
+        REQUIRE(before.id.size() == after.id.size());
+        REQUIRE(before.id.size() == between.id.size());
+        bool differs = false;
+        for (std::size_t i = 0; i < before.id.size(); ++i) {
+            CHECK(glm::length(before.position[i] - after.position[i]) < 1e-4F);
+            CHECK(glm::length(before.velocity[i] - after.velocity[i]) < 1e-4F);
+            differs = differs || glm::length(before.position[i] - between.position[i]) > 1e-2F;
+        }
+        CHECK(differs);
+    }
+    settings.period = 1e-9;
+    CHECK_THROWS_WITH(Snow(settings), Catch::StartsWith("period"));
+}
+
 TEST_CASE("gravity adds to the way, with snow too", "[snow]") {
     SnowSettings settings;
     settings.rate = 1000.0;

@@ -177,3 +177,28 @@ TEST_CASE("flakes stay where the emitter was when they were born", "[snow]") {
         CHECK(now.position[i].x == Approx(std::clamp(2.0 * (birth - 1.0), 0.0, 4.0)).margin(1e-5));
     }
 }
+
+TEST_CASE("flakes leave with a share of the emitter's velocity", "[snow]") {
+    SnowSettings settings;
+    settings.rate = 100.0;
+    settings.start_speed = 3.0;
+    settings.cone_radius = 0.0;
+    settings.lifetime = 10.0;
+    settings.emitter_times = {1.0, 3.0};
+    settings.emitter_matrices = {glm::dmat4(1.0), glm::translate(glm::dmat4(1.0), glm::dvec3(4.0, 0.0, 0.0))};
+    settings.inherited = 0.5;
+    const Flakes now = flakes_at(Snow(settings), 5.0);
+    for (std::size_t i = 0; i < now.age.size(); ++i) {
+        const double birth = static_cast<double>(now.id[i] + 1) / 100.0;
+        const double speed = birth > 1.005 && birth < 2.995 ? 1.0 : 0.0;
+        if (std::abs(birth - 1.0) < 0.005 || std::abs(birth - 3.0) < 0.005) continue;
+        CHECK(now.velocity[i].x == Approx(speed).margin(1e-6));
+        CHECK(now.velocity[i].z == Approx(3.0));
+        const double born = std::clamp(2.0 * (birth - 1.0), 0.0, 4.0);
+        CHECK(now.position[i].x == Approx(born + speed * (5.0 - birth)).margin(1e-4));
+    }
+    // At any frame, and none of it where there is none.
+    CHECK(are_same(flakes_at(Snow(settings), 5.0), now));
+    settings.inherited = 0.0;
+    for (const glm::vec3& velocity : flakes_at(Snow(settings), 5.0).velocity) CHECK(velocity.x == 0.0F);
+}

@@ -66,6 +66,23 @@ TEST_CASE("looping has no end, and the flow no seam", "[snow]") {
     CHECK(count(5.0) == 0);
 }
 
+TEST_CASE("a keyed rate lets flakes be born by its integral, at any time and by any threads", "[snow]") {
+    SnowSettings settings = rich(0.0);
+    settings.rate_keys = {{0.0, 1.0, 2.0, 4.0}, {0.0, 900.0, 0.0, 300.0}};
+    settings.random_lifetime = false;
+    const Snow snow(settings);
+    const Flakes late = flakes_at(snow, 3.5, 3);
+    for (const double time : {0.4, 4.0, 1.1, 3.5}) {
+        const Flakes now = flakes_at(snow, time);
+        const Births births(0.0, settings.delay, 0.0, true, settings.bursts, settings.rate_keys);
+        CHECK(now.id.size() == births.count(time) - births.count_older(time, settings.lifetime));
+        for (std::size_t i = 1; i < now.age.size(); ++i) CHECK(now.age[i] <= now.age[i - 1]);
+    }
+    CHECK(are_same(flakes_at(snow, 3.5), late));
+    settings.rate_keys.values = {0.0, 1e9, 0.0, 0.0};
+    CHECK_THROWS_WITH(Snow(settings), Catch::StartsWith("rate"));
+}
+
 TEST_CASE("late times are as good as early ones", "[snow]") {
     SnowSettings settings;
     settings.rate = 1024.0;
@@ -87,7 +104,10 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
         change(settings);
         CHECK_THROWS_WITH(Snow(settings), Catch::StartsWith(name));
     };
+    refuses("rate_values", [&](SnowSettings& s) { s.rate_keys = {{0.0}, {nan}}; });
+    refuses("inherited", [&](SnowSettings& s) { s.inherited = nan; });
     for (const double bad : {-1.0, nan}) {
+        refuses("period", [&](SnowSettings& s) { s.period = bad; });
         refuses("rate", [&](SnowSettings& s) { s.rate = bad; });
         refuses("lifetime", [&](SnowSettings& s) { s.lifetime = bad; });
         refuses("delay", [&](SnowSettings& s) { s.delay = bad; });

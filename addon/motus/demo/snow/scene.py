@@ -22,10 +22,11 @@ SKY_STOPS = (
 SKY_STRENGTH = 0.55
 MOON_COLOR, MOON_STRENGTH, MOON_ROTATION = (0.55, 0.68, 1.0), 0.45, (0.75, 0.15, 0.9)
 VIEWS = (("AgX", "AgX - Medium High Contrast", 0.9), ("Filmic", "Medium High Contrast", 0.6))
-# Of each snow cloud: name, place, half width, flakes per second, seed. One is over the whole village, one in front of the camera.
+# Of each snow cloud: name, place, half width, flakes per second, seed. One is over the whole village, one in front of the camera, which
+# becomes heavier as the scene goes on.
 CLOUDS = (
     ("Snowfall", (0.0, 11.5, 10.0), 17.0, 2600.0, 0),
-    ("Near Snowfall", (0.0, -2.5, 6.0), 4.5, 220.0, 1),
+    ("Near Snowfall", (0.0, -2.5, 6.0), 4.5, {0.0: 60.0, 8.0: 420.0}, 1),
 )
 AHEAD = 8.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
 LIFETIME = 14.0  # seconds until a flake has come down

@@ -19,12 +19,14 @@ class Ground(NamedTuple):
     """Surfaces that carry a snow cover, together with the objects that shelter these surfaces from flakes.
 
     collider: native SnowCollider of surfaces and sheltering objects, with vertex_count vertices; the vertices of the surfaces come first.
-    layer: native SnowLayer of the surfaces alone.
+    layer: native SnowLayer of the surfaces alone. ends: (m, 2), the two vertices between which each of the last m vertices of the layer
+    was put in.
     """
 
     collider: Any
     layer: Any
     vertex_count: int
+    ends: Any
 
 
 def made(*what):
@@ -39,7 +41,7 @@ def made(*what):
 def _made(lain_on, shelters, resolution, up, repose):
     positions, triangles = meshes.joined(lain_on)
     try:
-        positions, triangles = native.module.refine(positions, triangles, resolution, MOST)
+        positions, triangles, ends = native.module.refine(positions, triangles, resolution, MOST)
     except ValueError:
         return None
     joined = [(positions, triangles)]
@@ -48,4 +50,4 @@ def _made(lain_on, shelters, resolution, up, repose):
         joined.append((more[0], more[1] + np.int32(len(positions))))
     collider = native.module.SnowCollider(*map(np.concatenate, zip(*joined)))
     layer = native.module.SnowLayer(positions, triangles, up, collider, repose)
-    return Ground(collider, layer, sum(len(one) for one, _ in joined))
+    return Ground(collider, layer, sum(len(one) for one, _ in joined), ends)

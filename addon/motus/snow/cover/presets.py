@@ -7,7 +7,7 @@ from ...core.interface.presets import Preset
 from .properties import KEYWORDS
 
 # Settings that presets leave unchanged, as they belong to one shot or one surface and not to a style.
-OF_THE_SHOT = {"resolution", "influence"}
+OF_THE_SHOT = {"resolution", "viewport_resolution", "depth_group", "influence"}
 
 BROUGHT = (
     Preset(

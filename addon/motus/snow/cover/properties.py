@@ -5,7 +5,7 @@ import math
 import bpy
 
 from ...core.file.pointers import to_object
-from ...core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
+from ...core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from ...core.settings.declared import number
 from . import look
 
@@ -38,6 +38,15 @@ class SnowCoverKeywords:
         soft_max=1.0,
         subtype='DISTANCE',
     )
+    viewport_resolution: number(
+        "Viewport Resolution",
+        "Resolution in the viewport if it is coarser, so that it is computed faster; renders have the other one",
+        0.0,
+        min=0.0,
+        max=1e6,
+        soft_max=1.0,
+        subtype='DISTANCE',
+    )
     repose: number(
         "Slope",
         "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down",
@@ -55,6 +64,13 @@ class SnowCoverKeywords:
         max=1e3,
         soft_max=0.05,
         subtype='DISTANCE',
+    )
+    depth_group: bpy.props.StringProperty(
+        name="Depth Group",
+        description="Vertex group, or attribute of numbers, of the surfaces by whose weights the snow's depth is multiplied",
+        options=set(),
+        update=touch,
+        override=OVERRIDABLE,
     )
     influence: number(
         "Influence",

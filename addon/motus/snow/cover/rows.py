@@ -2,6 +2,6 @@
 
 from ...core.interface.rows import Rows
 
-SNOW = Rows(("lump", "repose", "smoothing", "influence"), title="Snow")
-LAYER = Rows(("resolution", "thinnest"), title="Snow Layer")
+SNOW = Rows(("lump", "repose", "smoothing", "depth_group", "influence"), title="Snow")
+LAYER = Rows(("resolution", "viewport_resolution", "thinnest"), title="Snow Layer")
 ALL = (SNOW, LAYER)

@@ -4,17 +4,18 @@ A Problem is a sentence that the panel shows.
 """
 
 import math
+from typing import NamedTuple
 
 from ...core import wiring
 from ...core.declare import Geometries, Points, Problem, Setting, registered
-from ...core.evaluated.shares import share_of
+from ...core.evaluated.shares import share_of, waits_for_all
 from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
 from ...core.measures import scene_time
 from ...core.refusals import INFINITE
 from ...core.scenery import meshes, seen, stillness
-from .. import births, colliders, flakes, view
-from . import ground, sources, work
+from .. import births, clock, colliders, flakes, view
+from . import ground, painted, sources, work
 
 NO_SURFACE = Problem("Add a mesh that snow is to lie on")
 NO_FACES = Problem("None of the surfaces has faces")
@@ -22,8 +23,9 @@ NO_SNOW = Problem("Add an emitter of snow that falls on the surfaces")
 NOT_FINITE = Problem("A setting of the cover is not a finite number")
 TOO_MANY = Problem("More than 10 million flakes fall until the end: let fewer flakes fall, and raise Snow per Flake", False)
 WAITING = Problem("So many flakes, or faces, take some time: press Calculate Snow", False)
-UNKNOWN = Problem("An emitter's motion, or the wind, is not known ahead, and counts as it is now: record it, or key it", False)
+UNKNOWN = Problem("An emitter's motion, wind, rate or time is not known ahead, and counts as it is now: record it, or key it", False)
 MOVES = Problem("A surface moves: flakes have landed where it is on the present frame", False)
+NO_GROUP = Problem("No surface has the vertex group or attribute that Depth Group names: snow lies everywhere", False)
 SOME_WITHOUT = Problem("A surface has no faces, or an emitter no mesh: they are left out", False)
 UNBAKEABLE = Problem("Lying snow is computed on each frame: there is nothing to bake")
 PROBLEMS = (
@@ -38,6 +40,7 @@ PROBLEMS = (
     UNKNOWN,
     MOVES,
     SOME_WITHOUT,
+    NO_GROUP,
     work.TOO_FINE,
     work.LESS_SMOOTH,
     flakes.NOT_FINITE,
@@ -60,6 +63,16 @@ So the cover need not be computed anew on each of these frames.
 _OF_LOOKS = {"start_size", "start_color", "random_size", "random_color", "tumble", "collision", "melt_time", "friction"}
 
 
+class _Present(NamedTuple):
+    """What the shown depth depends on beside the computed cover.
+
+    times: {full name of the emitter: seconds of its own time}. painted: for each surface its painted.Painted, or None.
+    """
+
+    times: dict
+    painted: tuple
+
+
 def solve(context, scenery, influence):
     """Compute the layer of snow at the frame of the context, in world space, as the mesh of the cover; returns a Problem to show, or None.
 
@@ -75,16 +88,16 @@ def solve(context, scenery, influence):
         return NOT_FINITE
     if influence <= 0.0:
         return None
-    plan, fault = _plan(context, settings, wiring.waited_for(settings) if scenery else {})
+    plan, present, fault = _plan(context, settings, wiring.waited_for(settings) if scenery else {})
     name = context.owner.name
     found = fault if plan is None else _work(context, name, plan)
     if isinstance(found, Problem):
         # The snow that was computed last is shown until the problem is solved.
         before = None if found.blocking else work.latest(name)
         if before:
-            _fill(context, *before, influence)  # type: ignore[call-arg]
+            _fill(context, *before, present, influence)  # type: ignore[call-arg]
         return found
-    _fill(context, plan, found, influence)
+    _fill(context, plan, found, present, influence)
     return fault or found.fault
 
 
@@ -106,12 +119,15 @@ def _share(context):
     return share_of(registered["snow_cover"], context.owner, context.depsgraph)
 
 
-def _fill(context, plan, found, influence):
+def _fill(context, plan, found, present, influence):
     depths = np.zeros(found.ground.vertex_count, np.float32)
     for cover, fall in zip(found.covers, plan.falls):
-        depths += cover.heights((context.frame - fall.start_frame) / context.fps)
+        depths += cover.heights(present.times.get(fall.emitter, fall.end))
     shown = slice(found.ground.layer.vertex_count)
     depths = depths[shown] * np.float32(influence)
+    shares = painted.spread(plan, found.ground, present.painted)
+    if shares is not None:
+        depths *= shares
     mesh = found.ground.layer.mesh(depths, context.settings.thinnest, math.tan(max(context.settings.repose, LEAST_SIDE)))
     room = context.points(len(mesh["position"]), len(mesh["edge"]), len(mesh["triangle"]))
     for name, own in (("position", "position"), ("depth", "depth"), ("edges", "edge"), ("triangles", "triangle"), ("sides", "side")):
@@ -121,24 +137,31 @@ def _fill(context, plan, found, influence):
 
 
 def _plan(context, settings, scenery):
-    """Collect all that a cover is computed from; returns (work.Plan, Problem to show or None).
+    """Collect all that a cover is computed from; returns (work.Plan, _Present, Problem to show or None).
 
-    (None, Problem) if the cover cannot be computed. scenery: {original object: evaluated object}.
+    The Plan is None if the cover cannot be computed. scenery: {original object: evaluated object}.
     """
-    scene = context.depsgraph.scene
+    scene, present = context.depsgraph.scene, _Present({}, ())
     # Objects that were added to the collection after the cover was wired may not be evaluated yet.
     surfaces = [one for one in sources.surfaces(settings) if all(obj in scenery for obj in (one.object, *one.instancers))]
     if not surfaces:
-        return None, NO_SURFACE
+        return None, present, NO_SURFACE
     found = {one.original: one for one in (pointed(entry, "object") for entry in settings.emitters) if one}
     emitters = [found[obj] for obj in sources.emitters(settings)]
+    for emitter in emitters:
+        present.times[emitter.name_full] = clock.read(emitter, context.fps)[0].seconds(context.frame)
     if not emitters:
-        return None, NO_SNOW
+        return None, present, NO_SNOW
     lain_on = [meshes.placed(scenery[one.object], seen.matrix(one, scenery)) for one in surfaces]
     fault = SOME_WITHOUT if any(one is None for one in lain_on) else None
+    group = settings.depth_group
+    shares = tuple(painted.of(scenery[one.object], group) if group else None for one, faces in zip(surfaces, lain_on) if faces is not None)
     lain_on = tuple(one for one in lain_on if one is not None)  # type: ignore[assignment]
     if not lain_on:
-        return None, NO_FACES
+        return None, present, NO_FACES
+    present = present._replace(painted=shares)
+    if group and not any(shares):
+        fault = fault or NO_GROUP
     if any(stillness.moves(scenery[obj], scene) for one in surfaces for obj in (one.object, *one.instancers)):
         fault = fault or MOVES
     pull = tuple(scene.gravity) if scene.use_gravity and any(scene.gravity) else DOWN
@@ -149,26 +172,27 @@ def _plan(context, settings, scenery):
             fault = fault or problem
             continue
         if fall is None:
-            return None, problem
+            return None, present, problem
         sheltering, unsure = colliders.parts(emitter.motus.snow, scene, {one.object for one in surfaces})
         shelters |= dict.fromkeys(sheltering)
         fault = problem or unsure or fault
         falls.append(fall)
     if not falls:
-        return None, NO_SNOW
-    rounds = work.rounds(settings.smoothing, settings.resolution)
+        return None, present, NO_SNOW
+    resolution = settings.resolution if waits_for_all(context.depsgraph) else max(settings.resolution, settings.viewport_resolution)
+    rounds = work.rounds(settings.smoothing, resolution)
     plan = work.Plan(
         lain_on,
         tuple(shelters),
-        settings.resolution,
+        resolution,
         tuple(-part for part in pull),
         tuple(falls),
         settings.lump**3,
         settings.repose,
         rounds,
-        work.share_of_smoothing(lain_on, settings.resolution, rounds * len(falls), _share(context)),
+        work.share_of_smoothing(lain_on, resolution, rounds * len(falls), _share(context)),
     )
-    return plan, fault
+    return plan, present, fault
 
 
 def _fall(context, emitter, pull, scenery):
@@ -185,8 +209,12 @@ def _fall(context, emitter, pull, scenery):
     given["gravity"] = given["gravity"] and scene.use_gravity and any(scene.gravity)
     end_of_scene = scene_time.last(scene)
     last = max(end_of_scene, BEYOND * math.ceil(context.frame / BEYOND) if context.frame > end_of_scene else 0)
-    end = (last - snow.start_frame) / context.fps
-    count = births_until(snow, end)
+    own, is_time_known = clock.read(emitter, context.fps)
+    end = own.seconds(last)
+    rate, is_rate_known = births.rate_of(emitter, last, own)
+    if rate is None:
+        return None, flakes.NOT_FINITE
+    count = births_until(snow, rate, end)
     if not count <= work.MOST_FLAKES:
         return None, TOO_MANY
     source, faces, angles = sources.source(emitter), None, None
@@ -199,18 +227,21 @@ def _fall(context, emitter, pull, scenery):
         angles = view.angles(source, source and source.matrix_world, scene)
         if isinstance(angles, Problem):
             return None, angles
-    span = last, max(0.0, end), snow.start_frame, context.fps
+    span = last, max(0.0, end), own
     poses, is_known = births.over_time(source, scene, source.matrix_world, *span)
     wind, is_sure = births.winds(emitter, *span)
     if poses is None or wind is None:
         return None, flakes.NOT_FINITE
     unseen = view.lens_problem(source.data) if angles is not None else None
-    return work.Fall(tuple(given.items()), pull, poses, wind, faces, angles, count, end, snow.start_frame), (
-        unseen if is_known and is_sure else UNKNOWN
+    are_known = is_known and is_sure and is_rate_known and is_time_known
+    return work.Fall(tuple(given.items()), pull, poses, wind, rate, faces, angles, count, end, emitter.name_full), (
+        unseen if are_known else UNKNOWN
     )
 
 
-def births_until(snow, seconds):
-    """Approximate number of flakes that an emitter has released by a time. seconds: time since the emitter's start frame."""
-    since = max(0.0, seconds - snow.delay)
-    return snow.rate * (since if snow.looping else min(since, snow.duration)) + snow.burst
+def births_until(snow, rate, seconds):
+    """Approximate number of flakes that an emitter has released by a time. rate: births.Rates or a number. seconds: own time."""
+    last = seconds if snow.looping else min(seconds, snow.delay + snow.duration)
+    if isinstance(rate, births.Rates):
+        return rate.until(last) - rate.until(snow.delay) + snow.burst
+    return rate * max(0.0, last - snow.delay) + snow.burst

@@ -38,19 +38,20 @@ LESS_SMOOTH = Problem(
 class Fall(NamedTuple):
     """All that the flakes of one emitter are computed from; hashable.
 
-    keywords, acceleration, poses, wind, faces, angles: arguments of flakes.made(). count: approximate number of flakes.
-    end: seconds since the start frame up to which flakes count. start_frame: frame at which the emitter's time starts.
+    keywords, acceleration, poses, wind, rate, faces, angles: arguments of flakes.made(). count: approximate number of flakes.
+    end: own time of the emitter up to which flakes count, in seconds. emitter: its name.
     """
 
     keywords: tuple
     acceleration: tuple
     poses: Any
     wind: Any
+    rate: Any
     faces: Any
     angles: Any
     count: float  # type: ignore[assignment]  # a tuple has a method of this name
     end: float
-    start_frame: float
+    emitter: str
 
 
 class Plan(NamedTuple):
@@ -220,7 +221,7 @@ def _covered(place, plan, fall, smoothing, done):
 
     place: Ground. smoothing: rounds of smoothing.
     """
-    snow = flakes.made(fall.keywords, fall.acceleration, fall.poses, fall.wind, fall.faces, fall.angles, place.collider)
+    snow = flakes.made(fall.keywords, fall.acceleration, fall.poses, fall.wind, fall.rate, fall.faces, fall.angles, place.collider)
     if isinstance(snow, Problem):
         return snow
     try:

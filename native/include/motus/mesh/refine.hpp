@@ -3,6 +3,7 @@
 // Costs: O(n) of the result. Allocates the result and as much again. Any number of threads at once.
 #pragma once
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -14,6 +15,8 @@ namespace motus::mesh {
 struct Refined {
     std::vector<glm::vec3> positions;  ///< the given ones, then the middles of edges
     std::vector<glm::ivec3> triangles;
+    /// Of the edge that each vertex after the given ones halves: two earlier vertices.
+    std::vector<glm::ivec2> ends{};
 };
 
 /// Halves all edges longer than `longest_edge`, > 0, again and again: the surface keeps its shape, and gets

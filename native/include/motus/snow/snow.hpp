@@ -55,6 +55,13 @@ struct GradientStop {
     glm::vec4 color{1.0F};
 };
 
+/// What flakes land on, from either side, that goes from place to place as it is, and carries them along.
+struct Mover {
+    std::shared_ptr<const Collider> collider;  ///< triangles in the mover's own space
+    std::vector<double> times;  ///< strictly rising; matrices go evenly from each to the next, and are held
+    std::vector<glm::dmat4> matrices;  ///< to world space, one for each time, at least one
+};
+
 /// Metres, seconds, radians, world space; every number finite.
 struct SnowSettings {
     double start_speed = 5.0;
@@ -64,6 +71,7 @@ struct SnowSettings {
         std::vector<GradientStop>(1);  ///< positions rising; linear between; its first colour counts
 
     double rate = 5.0;      ///< flakes a second, >= 0
+    RateKeys rate_keys;     ///< in place of it, by the time of the snow
     double delay = 0.0;     ///< >= 0
     double duration = 5.0;  ///< >= 0
     bool looping = true;    ///< flakes are born for ever, whatever the duration is
@@ -99,6 +107,8 @@ struct SnowSettings {
     double gusts = 0.0;                   ///< how much the wind varies, fraction of it, >= 0
     double gust_frequency = 0.3;          ///< 1/s, (0, 1000]
 
+    double period = 0.0;  ///< s, after which gusts and turbulent air are as they were, [1e-6, 1e30]; 0: never
+
     double turbulence = 0.0;       ///< root mean square of the velocity of turbulent air, m/s, >= 0
     double turbulence_size = 1.0;  ///< of its eddies, m, > 0
 
@@ -106,6 +116,7 @@ struct SnowSettings {
 
     std::optional<double> ground;  ///< height that flakes land on from above, if no triangle is there
     std::shared_ptr<const Collider> collider;  ///< triangles that they land on from either side
+    std::vector<Mover> movers;  ///< which nothing slides down, and no snow lies on for touchdowns()
     Collision collision = Collision::stay;
     double rest_time = std::numeric_limits<double>::infinity();  ///< how long a landed flake lives at most
     double melt_time = 1.0;  ///< the same of one that melts, and how long it takes to
@@ -115,6 +126,7 @@ struct SnowSettings {
 
     std::vector<double> emitter_times;         ///< strictly rising; held before the first and after the last
     std::vector<glm::dmat4> emitter_matrices;  ///< one for each time; none: the identity
+    double inherited = 0.0;  ///< share of the velocity of the emitter's origin that flakes leave with as well
 };
 
 /// Arrays of as many rows as there are living flakes; empty ones are not filled.
@@ -204,8 +216,9 @@ class Snow {
     /// another number of rows than there are of them.
     void evaluate(const Living& living, const Fields& out, const Executor& executor = {}) const;
 
-    /// Where flakes land until the end, by time and then by number. Throws std::invalid_argument where the
-    /// end is not finite, or more than most_touchdowns flakes are born until then.
+    /// Where flakes land until the end, but for movers, by time and then by number. Throws
+    /// std::invalid_argument where the end is not finite, or more than most_touchdowns flakes are born until
+    /// then.
     [[nodiscard]] std::vector<Touchdown> touchdowns(double end, const Executor& executor = {}) const;
 
     // SnowSettings.
