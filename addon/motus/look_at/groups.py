@@ -139,6 +139,7 @@ def plan_of(owner, found):
             "head_forward": list(anatomy.head_forward(owner, entry)),
             "eyes_forward": [list(axis) for axis in anatomy.eyes_forward(owner, entry, bones[bones.index(entry.name) + 1 :])],
             "up": list(axes.vector(chosen(entry, "up"))),
+            **({"saccades": [entry.saccade_rate, entry.eyes_seed]} if entry.use_saccades else {}),
         }
         for entry, bones in found
     ]

@@ -162,6 +162,13 @@ def draw_limits(layout, context):
         rows.SIDES.draw(ui.split(layout), entry, has_title=True)
 
 
+def draw_eyes(layout, context):
+    """Draw the settings of what the eyes do by themselves."""
+    entry = active_entry(context.object)
+    if entry:
+        rows.SACCADES.draw(ui.split(layout), entry)
+
+
 def draw_bones(layout, context):
     """Draw the settings of which bones turn along with the head, and of the axes along which head and eyes look at rest."""
     rig = context.object
@@ -213,6 +220,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("targets", "Further Targets", draw_targets),
         panels.Part("limits", "Limits", draw_limits),
+        panels.Part("eyes", "Eyes by Themselves", draw_eyes),
         panels.Part("bones", "Bones", draw_bones),
     ),
     readouts=draw_readouts,

@@ -9,7 +9,7 @@ from .properties import KEYWORDS, SIDE_LIMITS
 
 ENTRY = "bpy.context.object.motus.look_at.entries[bpy.context.object.motus.look_at.active_entry]"
 # Settings that belong to one rig or one shot, which presets leave out, and copying unless asked.
-OF_THE_HEAD = {"weight", "head_forward", "eyes_forward"}
+OF_THE_HEAD = {"weight", "head_forward", "eyes_forward", "eyes_seed"}
 
 
 # How far people turn their heads and eyes with ease: left, right, up, down.

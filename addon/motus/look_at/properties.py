@@ -9,7 +9,7 @@ from ..core.file.pointers import to_object
 from ..core.interface import bone_entries
 from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
-from ..core.settings.declared import choice, factor, number
+from ..core.settings.declared import choice, factor, number, switch, whole
 from . import facing
 
 FORWARDS = (
@@ -55,6 +55,21 @@ class LookAtKeywords:
     eyes_right_limit: _side("Eyes Right", "Largest part of the eyes' turn to the character's right; 180 degrees: none but Eyes Limit")
     eyes_up_limit: _side("Eyes Up", "Largest part of the eyes' turn upwards; 180 degrees: none but Eyes Limit")
     eyes_down_limit: _side("Eyes Down", "Largest part of the eyes' turn downwards; 180 degrees: none but Eyes Limit")
+    use_saccades: switch("Saccades", "Let the eyes jump a little about what they look at, as those of people do", update=rewire)
+    saccade_amplitude: number(
+        "Amplitude",
+        "Largest angle between the target and where the eyes look",
+        math.radians(2.0),
+        ANIMATED,
+        min=0.0,
+        max=math.pi,
+        soft_max=math.radians(20.0),
+        subtype='ANGLE',
+    )
+    saccade_rate: number(
+        "Rate", "Jumps of the eyes a second, on average", 2.0, tells_no_keys=True, min=0.0, max=100.0, soft_max=5.0, update=rewire
+    )
+    eyes_seed: whole("Seed", "Each seed has the eyes move by themselves at different times", 0, tells_no_keys=True, min=0, update=rewire)
     forward: _axis("Forward", "Axis of the rig that points where the character faces at rest", AXES, facing.FORWARD)
     up: _axis("Up", "Axis of the rig that points from the feet to the head at rest", AXES, facing.UP)
     head_forward: _axis("Head Forward", "Axis of the head bone that points where the face looks", FORWARDS, 'AUTO')

@@ -28,6 +28,7 @@ _FORM = {
             "head_forward": _AXIS,
             "eyes_forward": lambda value: stored.fits(value, [_AXIS]) or stored.fits(value, _AXIS),
             "up?": _AXIS,
+            "saccades?": lambda value: stored.fits(value, (float, int)) and value[0] >= 0.0 and 0 <= value[1] < 1 << 31,
         }
     ],
 }
@@ -49,6 +50,7 @@ class Wired:
         self.names = [head["name"] for head in heads]
         self.head_forward = np.array([head["head_forward"] for head in heads], dtype=float).reshape(-1, 3)
         self.eyes_forward = np.array([axis for head in heads for axis in _eye_axes(head)], dtype=float).reshape(-1, 3)
+        self.saccades = [(row, *head["saccades"]) for row, head in enumerate(heads) if "saccades" in head]
         self.up = np.array([head.get("up", (0.0, 0.0, 1.0)) for head in heads], dtype=float).reshape(-1, 3)
         self.plan = native.module.LookAtPlan(
             rigs.parents(rig, list(rows)),
@@ -60,6 +62,16 @@ class Wired:
         self.members = len(self.plan.rows)
         report = native.module.LookAtPlan.REPORT
         self.told = np.array([report.index(name) for name in OUTPUTS])
+
+    def beside(self, seconds, amplitudes):
+        """How far the eyes of each head look beside its target at a time, (heads, 2), radians to the left and up.
+
+        amplitudes: of the heads' saccades, (heads,), in radians.
+        """
+        found = np.zeros((len(self.names), 2))
+        for row, rate, seed in self.saccades:
+            found[row] = native.module.saccades(seconds, amplitudes[row], rate, seed)
+        return found
 
 
 def _eye_axes(head):
@@ -108,7 +120,7 @@ def _solve(context, source):
     if (wired.members, count * len(OUTPUTS)) != (len(context.rotations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
     points, off, absent = _places(source.targets)
-    settings, target_weights, muted = context.kept("heads", source, lambda: _settings(context.settings, source.places, wired.columns))
+    settings, target_weights, muted, amplitudes = context.kept("heads", source, lambda: _settings(context.settings, source.places, wired))
     if absent:
         target_weights = target_weights.copy()
         target_weights[absent] = 0.0
@@ -129,6 +141,7 @@ def _solve(context, source):
         up=wired.up,
         target_weights=target_weights,
         target_counts=source.target_counts,
+        eyes_beside=wired.beside(context.frame / context.fps, amplitudes) if wired.saccades else None,
     )
     told = context.outputs.reshape(count, len(OUTPUTS))
     report.take(wired.told, axis=1, out=told, mode='clip')  # mode 'raise' would copy the array first
@@ -143,13 +156,13 @@ def _solve(context, source):
     return SOME_ARE_OFF if ((reason < 0.0) & (reason != reasons.MUTED)).any() else None
 
 
-def _settings(settings, places, columns):
-    """(settings of the heads, weights of all their targets, list of the muted heads).
+def _settings(settings, places, wired):
+    """(settings of the heads, weights of all their targets, list of the muted heads, amplitudes of the heads' saccades or None).
 
     Settings are as LookAtPlan.solve() reads them, (heads, len(LookAtPlan.SETTINGS)) float64; so are weights, (targets,) float64.
-    places: index of each head's entry. columns: {name of a setting: column}.
+    places: index of each head's entry.
     """
-    entries = settings.entries
+    entries, columns = settings.entries, wired.columns
     values = np.zeros((len(places), len(columns)))
     column = np.empty(len(entries), np.float32)
     for name in NUMBERS:
@@ -161,7 +174,11 @@ def _settings(settings, places, columns):
     values[:, columns["is_on"]] = ~muted
     values[:, columns["weight"]] *= settings.influence
     target_weights = np.array([weight for place in places for weight in weights(entries[place])])
-    return values, target_weights, np.flatnonzero(muted).tolist()
+    amplitudes = None
+    if wired.saccades:
+        entries.foreach_get("saccade_amplitude", column)
+        amplitudes = column[places].astype(float).tolist()
+    return values, target_weights, np.flatnonzero(muted).tolist(), amplitudes
 
 
 def _places(targets):

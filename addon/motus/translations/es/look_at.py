@@ -1,5 +1,9 @@
 """Spanish: look at."""
 
+from ...core.settings import NO_KEYS
+
+_NO_KEYS_ES = ". No admite claves: todo el movimiento depende de ello"
+
 INTERFACE = {
     "Person": "Persona",
     "Eyes first, then the head, and a little of the back": "Primero los ojos, luego la cabeza y un poco la espalda",
@@ -43,6 +47,13 @@ INTERFACE = {
     "Take a further target off the head": "Quitar a la cabeza otro objetivo",
     "Name of the object; empty takes what is selected along with the rig": "Nombre del objeto; vacío toma lo que está seleccionado con el rig",
     "Limits by Direction": "Límites por dirección",
+    "Eyes by Themselves": "Ojos por sí solos",
+    "Saccades": "Sacadas",
+    "Let the eyes jump a little about what they look at, as those of people do": "Hacer que los ojos salten un poco en torno a lo que miran, como los de las personas",
+    "Largest angle between the target and where the eyes look": "Ángulo máximo entre el objetivo y el punto al que miran los ojos",
+    "Jumps of the eyes a second, on average" + NO_KEYS: "Saltos de los ojos por segundo, de media" + _NO_KEYS_ES,
+    "Each seed has the eyes move by themselves at different times"
+    + NO_KEYS: "Con cada semilla los ojos se mueven por sí solos en otros momentos" + _NO_KEYS_ES,
     "Head Left": "Cabeza a la izquierda",
     "Largest part of the head's turn to its own left; 180 degrees: none but Head Limit": "Parte máxima del giro de la cabeza hacia su izquierda; 180 grados: solo Límite de la cabeza",
     "Head Right": "Cabeza a la derecha",
