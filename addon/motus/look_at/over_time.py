@@ -127,7 +127,7 @@ class _Head:
         for number, (one, name) in enumerate(zip(worlds_of_targets, self._weight_names)):
             if one is not None:
                 targets[:, number], weights[:, number] = one[:, 12:15], numbers[name]
-        owner, text = self._owner, groups.plan_of(self._owner, [(self._entry, self._bones)])
+        owner, text = self._owner, groups.plan_of(self._owner, [(self._entry, self._bones)], {self._entry.name: []})
         wired = rigs.plan(owner, text, lambda rig, rows: solve.Wired(rig, rows, text))
         settings, worlds, still = self._settings(wired, times), self.inputs.worlds(times), wired.still
         beside = self._beside(times, numbers)

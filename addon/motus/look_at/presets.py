@@ -28,6 +28,14 @@ BROUGHT = (
         {"body_weight": 0.25, "head_weight": 0.7, "eyes_weight": 1.0} | _degrees(50.0, 70.0, 35.0) | HUMAN_SIDES,
     ),
     Preset(
+        'ALIVE',
+        "Alive",
+        "As Person, with eyes that jump a little and blink by themselves",
+        {"body_weight": 0.25, "head_weight": 0.7, "eyes_weight": 1.0, "use_saccades": True, "use_blinks": True}
+        | _degrees(50.0, 70.0, 35.0)
+        | HUMAN_SIDES,
+    ),
+    Preset(
         'GLANCE',
         "Glance",
         "The eyes nearly alone",

@@ -48,9 +48,9 @@ struct GazeInput {
     std::span<const glm::dvec3> eyes_forward;  ///< axis of each eye bone that points where the eye looks, in
                                                ///< the order of GazeBones::eyes
     glm::dvec3 up{0.0, 0.0, 1.0};  ///< the rig's upward direction at rest, armature space; not zero
-    glm::dvec2 eyes_beside{0.0};   ///< how far beside the direction that they turn to the eyes look, rad to
-                                  ///< the left and up, within their limits; times GazeSettings::weight,
-                                  ///< whatever eyes_weight is
+    /// How far beside the direction that they turn to the eyes look, rad to the left and up, within their
+    /// limits; times GazeSettings::weight, whatever eyes_weight is.
+    glm::dvec2 eyes_beside{0.0};
     bool is_on = true;
 };
 
