@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'above_floor', 'are_below', 'blink', 'blinks', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'saccades', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -534,7 +534,7 @@ class LookAtPlan:
     SETTINGS: typing.ClassVar[tuple] = ('weight', 'body_weight', 'head_weight', 'eyes_weight', 'clamp', 'body_limit', 'head_limit', 'eyes_limit', 'head_left_limit', 'head_right_limit', 'head_up_limit', 'head_down_limit', 'eyes_left_limit', 'eyes_right_limit', 'eyes_up_limit', 'eyes_down_limit', 'is_on')
     def __init__(self, parents: numpy.typing.ArrayLike, bodies: typing.Sequence[numpy.typing.ArrayLike], heads: numpy.typing.ArrayLike, eyes: typing.Sequence[numpy.typing.ArrayLike]) -> None:
         ...
-    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.ArrayLike, settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], head_forward: numpy.typing.NDArray[numpy.float64], eyes_forward: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64] | None = None, up: numpy.typing.NDArray[numpy.float64] | None = None, target_weights: numpy.typing.NDArray[numpy.float64] | None = None, target_counts: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.ArrayLike, settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], head_forward: numpy.typing.NDArray[numpy.float64], eyes_forward: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64] | None = None, up: numpy.typing.NDArray[numpy.float64] | None = None, target_weights: numpy.typing.NDArray[numpy.float64] | None = None, target_counts: numpy.typing.ArrayLike | None = None, eyes_beside: numpy.typing.NDArray[numpy.float64] | None = None) -> numpy.typing.NDArray[numpy.float64]:
         """
         Rotations that turn body, head and eyes of each entry to its target.
         
@@ -546,7 +546,8 @@ class LookAtPlan:
         direction at rest, in armature space, of any length but 0; None: Z.
         target_counts: (C,), how many of the targets, in order, each entry has, at least one; None: one each.  target_weights: (T,), less
         than 0 counts as 0; None: 1.  An entry looks in the mean by weight of its targets' directions; of weights that sum up to less than 1
-        the animated gaze takes the rest.
+        the animated gaze takes the rest.  eyes_beside: (C, 2), how far beside that direction the eyes look, rad to the left and up, times
+        weight, within their limits; see saccades(); None: 0.
         rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
         report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity if nothing turns.
         Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 if an input is not
@@ -675,7 +676,7 @@ class IkPlan:
     Raises ValueError or TypeError that names the argument.
     """
     REPORT: typing.ClassVar[tuple] = ('residual', 'angle', 'reason', 'iterations', 'distance', 'reach', 'tip_x', 'tip_y', 'tip_z')
-    SETTINGS: typing.ClassVar[tuple] = ('position_weight', 'rotation_weight', 'softness', 'stretch', 'pole_angle', 'bend', 'hinge_angle', 'tolerance', 'iterations', 'use_limits', 'is_on', 'left_out')
+    SETTINGS: typing.ClassVar[tuple] = ('position_weight', 'rotation_weight', 'softness', 'stretch', 'volume', 'pole_angle', 'bend', 'hinge_angle', 'tolerance', 'iterations', 'use_limits', 'is_on', 'left_out')
     def __init__(self, parents: numpy.typing.ArrayLike, chains: typing.Sequence[numpy.typing.ArrayLike], effectors: numpy.typing.ArrayLike, guards: numpy.typing.ArrayLike) -> None:
         ...
     def bones(self, rest: IkRest, basis: numpy.typing.NDArray[numpy.float32]) -> IkBones:
@@ -708,7 +709,7 @@ class IkPlan:
         settings: (c, len(SETTINGS)).  targets: (c, 16) world matrices, column by column.  poles: (c, 3) world, NaN for none.
         limits: (chain bones, 6) rad, least x, y, z and greatest x, y, z of swing (x, z) and twist (y), or None.
         rotations, scales: (rows, 4) w, x, y, z and (rows, 3) to write into; C-contiguous, apart in memory.
-        Settings: position_weight, rotation_weight, stretch 0 to 1; softness a fraction of the chain's length; pole_angle,
+        Settings: position_weight, rotation_weight, stretch 0 to 1; volume the share, 0 to 1, that stretched bones keep of theirs; softness a fraction of the chain's length; pole_angle,
         hinge_angle rad; bend < 0 away from the pole; tolerance a fraction of the length; use_limits, is_on 0 or not; left_out how many of
         the chain's first bones stay as they are animated.
         Returns (c, len(REPORT)): residual, distance, reach and tip in the world, of the solution with position_weight 1; angle left
@@ -1285,11 +1286,31 @@ class RotationTrack:
         """
         Of the memory that it takes.
         """
+def above_floor(target: numpy.typing.ArrayLike, place: numpy.typing.ArrayLike, up: numpy.typing.ArrayLike, height: float = 0.0, margin: float = 0.0) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    A chain's target, or the place above a floor that takes its stead.
+    
+    target: (3,).  place: (3,), a point of the floor's plane.  up: (3,), away from the floor; of no length: there is no floor.
+    height: of the lowest target above the plane.  margin: within it, above and below that height, targets are held back softly.
+    Returns (3,).  Raises ValueError or TypeError that names the argument.
+    """
 def are_below(limit: typing.SupportsFloat | typing.SupportsIndex, *args) -> bool:
     """
     Whether each number of all arrays is smaller in size than the limit; NaN is not.
     
     arrays: C-contiguous, of float32 or float64 and any shape.  Raises TypeError that names the argument.
+    """
+def blink(since: numpy.typing.ArrayLike) -> typing.Any:
+    """
+    How far a blink has shut the eyes, 0 to 1.  since: a number or (m,), seconds after its beginning; it takes 0.3.
+    Returns a float or (m,).  Raises ValueError or TypeError that names the argument.
+    """
+def blinks(seconds: numpy.typing.ArrayLike, rate: float = 0.25, seed: int = 0) -> typing.Any:
+    """
+    How far blinks have shut the eyes at times, 0 to 1: one at a random time in each 1 / rate.
+    
+    seconds: a number or (m,).  rate: blinks a second, >= 0, at most 100 count.  seed: a whole number from 0 to 2^32 - 1.
+    Returns a float or (m,).  Raises ValueError or TypeError that names the argument.
     """
 def bone_to_pose(rest: numpy.typing.ArrayLike, parent_rest: numpy.typing.ArrayLike | None, parent_pose: numpy.typing.ArrayLike | None, basis: numpy.typing.ArrayLike, inherit_scale: typing.Literal['FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE', 'NONE_LEGACY'] = 'FULL', inherit_rotation: bool = True, local_location: bool = True) -> typing.Any:
     """
@@ -1620,6 +1641,14 @@ def roundness(depth: numpy.typing.ArrayLike, interaxial: float, focal_length: fl
     
     Arguments as for parallax() and seen_distance(). On the screen V t / (e convergence).
     Returns a float or (m,), math.inf if the eyes would have to turn apart.
+    """
+def saccades(seconds: numpy.typing.ArrayLike, amplitude: numpy.typing.ArrayLike, rate: float = 2.0, seed: int = 0) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Where eyes look beside their target at times: small jumps between random places, as long as those of people.
+    
+    seconds: a number or (m,).  amplitude: a number or (m,), farthest from the target, rad, >= 0.  rate: jumps a second on average,
+    >= 0, at most 100 count.  seed: a whole number from 0 to 2^32 - 1.
+    Returns (2,) or (m, 2): rad to the left and up.  Raises ValueError or TypeError that names the argument.
     """
 def screen_color(picture: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64] | None:
     """

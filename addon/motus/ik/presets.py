@@ -23,6 +23,7 @@ BROUGHT = (
     Preset('LIMB', "Limb", "Slows down a little before it is straight, so that the knee does not snap", {"softness": 0.03}),
     Preset('EXACT', "Exact", "Reaches as far as its bones are long", {}),
     Preset('CARTOON', "Cartoon", "Lengthens until it reaches the target", {"softness": 0.05, "stretch": 1.0}),
+    Preset('RUBBER', "Rubber", "Lengthens until it reaches the target, and gets thinner by that", {"stretch": 1.0, "volume": 1.0}),
     Preset('ELASTIC', "Elastic", "Lengthens by half of the missing distance", {"softness": 0.1, "stretch": 0.5}),
     Preset('JOINTED', "Jointed", "Keeps the limits that the bones have", {"use_limits": True}),
 )

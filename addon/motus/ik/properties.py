@@ -84,6 +84,7 @@ class IkKeywords:
     )
     softness: _factor("Softness", "Share of the chain's length over which it slows down before it is straight", 0.0)
     stretch: _factor("Stretch", "Share of the missing distance by which the bones lengthen", 0.0, update=_change_stretch)
+    volume: _factor("Keep Volume", "How far bones that lengthen get thinner by that, so that they keep their volume", 0.0)
     use_limits: bpy.props.BoolProperty(
         name="Use Limits",
         description="Keep the limits that the bones have for inverse kinematics",

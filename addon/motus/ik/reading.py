@@ -19,6 +19,7 @@ ANIMATED = {
     "rotation_weight": "f4",
     "softness": "f4",
     "stretch": "f4",
+    "volume": "f4",
     "pole_angle": "f4",
     "hinge_angle": "f4",
     "use_limits": "?",
@@ -169,7 +170,7 @@ def _numbers(settings, places, wired, is_animated):
     # If nothing is animated, chains that were wired without stretch still have none.
     reads_stretch = wired.is_elastic or is_animated
     for name, dtype in ANIMATED.items():
-        if name != "stretch" or reads_stretch:
+        if (name != "stretch" or reads_stretch) and (name != "volume" or wired.is_elastic):
             numbers[:, columns[name]] = _column(settings.entries, name, places, dtype=dtype)
     lengths = _column(settings.entries, "chain_length", places, dtype="i4")
     lengths = np.where(lengths > 0, np.minimum(lengths, wired.most), wired.most)

@@ -13,7 +13,7 @@ CHAIN = Rows((Row("chain_length", text="Length"), "use_tail"), title="Chain")
 WEIGHTS = Rows(("position_weight", "rotation_weight"), title="Weights")
 OFFSET = Rows((Row("rotation_offset", text="Offset", text_ctxt=OWN_SENSE),))
 POLE = Rows((Row("bend", when=_has_pole), "pole_angle", "hinge_angle"), title="Pole")
-REACH = Rows(("softness", "stretch"), title="Reach")
+REACH = Rows(("softness", "stretch", Row("volume", active=is_positive("stretch"))), title="Reach")
 PRECISION = Rows(("tolerance", "iterations"), title="Precision")
 
 ADDING = (

@@ -11,6 +11,7 @@ SYSTEM = System(
     classes=(
         # Blender requires that a property group is registered before the group that contains it.
         properties.MOTUS_PG_look_at_eye,
+        properties.MOTUS_PG_look_at_lid,
         properties.MOTUS_PG_look_at_target,
         properties.MOTUS_PG_look_at_entry,
         properties.MOTUS_PG_look_at,
@@ -23,6 +24,7 @@ SYSTEM = System(
     copied_settings=properties.KEYWORDS,
     shot_settings=frozenset(presets.OF_THE_HEAD),
     problems=solve.PROBLEMS,
+    reads_keys=groups.has_blinks,
     members=groups.members,
     groups=groups.groups,
     entries=groups.entries,

@@ -1,12 +1,16 @@
 """Find the bones of a rig that turn along with a head bone, and the axes of head and eye bones along which they look."""
 
+import math
+
 from mathutils import Vector
 
 from ..core.file.choices import chosen
 from ..core.measures import axes
+from . import names
 
 LONGEST_SPINE = 4  # bones: the neck and three of the spine
 LEG_REACH = 0.25  # share of a bone's height above the rig's lowest point: limbs of the bone that end below it are legs
+UPPER_LID, LOWER_LID = math.radians(40.0), math.radians(10.0)  # turns that shut an eye of a person
 EYE_CONE = 0.5  # cosine of 60 degrees: an eye bone whose Y axis points within this angle of the front looks along its Y axis
 
 
@@ -44,6 +48,15 @@ def _has_legs(bone, above, vertical, lowest):
     ground = lowest + LEG_REACH * (bone.head_local.dot(vertical) - lowest)
     limbs = [child for child in bone.children if child != above]
     return any(part.tail_local.dot(vertical) < ground for limb in limbs for part in (limb, *limb.children_recursive))
+
+
+def lid_angle(rig, entry, name):
+    """Turn of an eyelid's bone about its X axis that shuts the eye: an upper lid's tail goes down, a lower lid's goes up."""
+    bone = rig.data.bones[name]
+    is_lower = bool(names.words(name) & names.LOWER)
+    # A small turn about X takes the tail along Z.
+    goes_up = (bone.matrix_local.to_3x3() @ Vector((0.0, 0.0, 1.0))).dot(Vector(axes.vector(chosen(entry, "up")))) > 0.0
+    return (LOWER_LID if is_lower else UPPER_LID) * (1.0 if goes_up == is_lower else -1.0)
 
 
 def head_forward(rig, entry):

@@ -4,9 +4,12 @@ The owner is the armature object. An entry holds the settings of one head.
 """
 
 import json
+import math
+
+import bpy
 
 from ..core import rigs, wiring
-from ..core.declare import BonesOwn, Entry, Group, Member, Transform
+from ..core.declare import BonesOwn, Entry, Group, Member, Property, Transform
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.measures import axes
@@ -14,6 +17,8 @@ from . import anatomy
 
 OUTPUTS = ("angle", "reason", "yaw", "pitch")
 """Numbers that the solver reports for each head; as an output of its group, each is named "<head bone>.<name>"."""
+BLINK = "blink"
+"""Output of a head that blinks: how far its eyes are shut, 0 to 1."""
 PLAN = "plan"
 """Key in a group's data of the JSON text from which solve.Wired is made."""
 LOOPED = "looped"
@@ -30,7 +35,14 @@ def driven_bones(owner, entry):
 
 def entries(owner):
     """List of an Entry (core/declare) for each head of an owner: what it reads and turns, from which the order of evaluation follows."""
-    return [Entry(entry.name, tuple(_reads(owner, entry, bones)), tuple(bones)) for entry, bones in present(owner)]
+    found = present(owner)
+    lids = lids_of(owner, found)
+    return [Entry(entry.name, tuple(_reads(owner, entry, bones)), (*bones, *lids[entry.name])) for entry, bones in found]
+
+
+def has_blinks(settings):
+    """Whether a head blinks along with turns of its gaze: then its solver reads keys of other frames."""
+    return any(entry.use_blinks and entry.blink_angle < math.pi for entry in settings.entries)
 
 
 def groups(owner):
@@ -39,15 +51,16 @@ def groups(owner):
     Of what Motus drives on rigs, a head reads only what entries of lower levels drive. Heads whose targets move with them are left out.
     """
     levels = wiring.levels(owner)
-    by_level, looped = {0: []}, 0
-    for entry, bones in present(owner):
+    by_level, looped, every = {0: []}, 0, present(owner)
+    lids = lids_of(owner, every)
+    for entry, bones in every:
         level = levels.get(("look_at", entry.name))
         if level is None:
             looped += 1
         else:
             by_level.setdefault(level, []).append((entry, bones))
     # The first group exists even if it has no heads, so that its solver can report the heads that are left out.
-    return tuple(_group(owner, str(level) if level else "", found, looped) for level, found in sorted(by_level.items()))
+    return tuple(_group(owner, str(level) if level else "", found, lids, looped) for level, found in sorted(by_level.items()))
 
 
 def members(owner):
@@ -58,7 +71,7 @@ def members(owner):
 def bone_renamed(owner, rig, old, new):
     """Replace the old name of a renamed bone by the new name in the owner's entries. rig: the armature object that has the bone."""
     for entry in owner.motus.look_at.entries:
-        for item in (entry, *entry.eyes):
+        for item in (entry, *entry.eyes, *entry.lids):
             if rig == owner and item.name == old:
                 item.name = new
         if pointed(entry, "target") == rig and entry.target_bone == old:
@@ -85,6 +98,19 @@ def present(owner):
             found.append((entry, bones))
             taken.update(bones)
     return found
+
+
+def lids_of(owner, found):
+    """{name of a head: [names of the eyelid bones that its blinks turn]}. found: result of present().
+
+    A lid is left out if the rig does not have it below the head, or if a head turns the bone anyway.
+    """
+    taken, lids = {name for _, bones in found for name in bones}, {}
+    for entry, _ in found:
+        below = {bone.name for bone in owner.data.bones[entry.name].children_recursive} if entry.use_blinks else ()
+        lids[entry.name] = [lid.name for lid in entry.lids if lid.name in below and lid.name not in taken]
+        taken.update(lids[entry.name])
+    return lids
 
 
 def _taken_before(owner, entry):
@@ -117,20 +143,38 @@ def _reads(owner, entry, bones):
     return reads
 
 
-def _group(owner, key, found, looped):
+def _group(owner, key, found, lids, looped):
     reads = [(owner, "")] + [pair for entry, bones in found for pair in _reads(owner, entry, bones)]
     own = [name for entry, bones in found for name in read_bones(owner, entry, bones)]
+    blinking = [entry for entry, _ in found if entry.use_blinks]
+    turned = [name for _, bones in found for name in bones] + [name for entry in blinking for name in lids[entry.name]]
     return Group(
         key=key,
-        members=tuple(Member(owner.pose.bones[name], ROTATION, 'LOCAL', is_relative=True) for _, bones in found for name in bones),
+        members=tuple(Member(owner.pose.bones[name], ROTATION, 'LOCAL', is_relative=True) for name in turned),
         inputs=(*(Transform(*pair) for pair in dict.fromkeys(reads)), *(BonesOwn(owner, name) for name in dict.fromkeys(own))),
-        outputs=tuple(f"{entry.name}.{name}" for entry, _ in found for name in OUTPUTS),
-        data={PLAN: plan_of(owner, found), LOOPED: looped},
+        outputs=(
+            *(f"{entry.name}.{name}" for entry, _ in found for name in OUTPUTS),
+            *(f"{entry.name}.{BLINK}" for entry in blinking),
+        ),
+        properties=tuple(found for entry in blinking for found in _shut_by(entry)),
+        data={PLAN: plan_of(owner, found, lids), LOOPED: looped},
     )
 
 
-def plan_of(owner, found):
-    """JSON text that describes a group of heads, from which solve.Wired is made. found: pairs of an entry and its bones' names."""
+def _shut_by(entry):
+    """Yield the Property of the shape key that a head's blinks drive, if there is one."""
+    face = pointed(entry, "shut_object")
+    keys = face and getattr(face.data, "shape_keys", None)
+    if keys and entry.shut_key in keys.key_blocks:
+        name = bpy.utils.escape_identifier(entry.shut_key)
+        yield Property(f"{entry.name}.{BLINK}", face, f'data.shape_keys.key_blocks["{name}"].value')
+
+
+def plan_of(owner, found, lids):
+    """JSON text that describes a group of heads, from which solve.Wired is made. found: pairs of an entry and its bones' names.
+
+    lids: {name of a head: [names of its eyelids]}.
+    """
     heads = [
         {
             "name": entry.name,
@@ -139,10 +183,22 @@ def plan_of(owner, found):
             "head_forward": list(anatomy.head_forward(owner, entry)),
             "eyes_forward": [list(axis) for axis in anatomy.eyes_forward(owner, entry, bones[bones.index(entry.name) + 1 :])],
             "up": list(axes.vector(chosen(entry, "up"))),
+            **({"saccades": [entry.saccade_rate, entry.eyes_seed]} if entry.use_saccades else {}),
+            **({"blinks": _blinks(entry, lids[entry.name])} if entry.use_blinks else {}),
         }
         for entry, bones in found
     ]
     return json.dumps({"fingerprint": rigs.fingerprint(owner), "heads": heads})
+
+
+def _blinks(entry, lids):
+    angles = {lid.name: lid.angle for lid in entry.lids}
+    return {
+        "rate": entry.blink_rate / 60.0,
+        "seed": entry.eyes_seed,
+        "angle": entry.blink_angle,
+        "lids": [angles[name] for name in lids],
+    }
 
 
 def read_bones(owner, entry, bones):

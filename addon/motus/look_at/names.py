@@ -15,6 +15,9 @@ EYES = {"eye", "eyes", "eyeball"}
 NOT_EYES = {"lid", "lids", "lash", "lashes", "brow", "brows", "socket", "corner", "bag", "target", "aim"}
 
 
+LIDS = {"lid", "lids", "eyelid", "eyelids"}
+LOWER = {"b", "bot", "bottom", "low", "lower", "down"}
+"""Words in the names of lower eyelids."""
 FACE = {"nose", "snout", "muzzle", "beak", "jaw", "chin", "mouth", "lip", "lips", "teeth", "tongue"}
 FEET = {"foot", "feet", "toe", "toes", "ball", "ankle", "paw", "hoof"}
 LEFT, RIGHT = {"l", "left"}, {"r", "right"}
@@ -38,6 +41,11 @@ def head_of(rig):
     plain = [bone for bone in found if bone.name.lower() == "head"]
     best = plain or topmost(found) or _rigify_heads(rig)
     return best[0].name if len(best) == 1 else ""
+
+
+def lids_of(bones, head):
+    """Names of the bones below a head bone that are called eyelids, without those that hang on another eyelid."""
+    return [bone.name for bone in topmost(_controls(parts(bones[head].children_recursive, LIDS)))]
 
 
 def eyes_of(bones, head):

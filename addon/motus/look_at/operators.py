@@ -225,6 +225,54 @@ class MOTUS_OT_look_at_eye_remove(OfAHead, bpy.types.Operator):
         return [eye for eye in eyes if eye != self.eye]
 
 
+class MOTUS_OT_look_at_lid_add(OfAHead, bpy.types.Operator):
+    bl_idname = "motus.look_at_lid_add"
+    bl_label = "Add Eyelid"
+    bl_description = "Let a bone below the head shut as an eyelid when the head blinks"
+
+    lid: bpy.props.StringProperty(
+        name="Eyelid",
+        description="Name of the eyelid's bone; empty takes the selected bones below the head, or else those that are called lid",
+        options={'SKIP_SAVE'},
+    )
+
+    def run(self, context):
+        rig = targets.looking_rig(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        check_bone(rig, entry.name)
+        lids = [self.lid] if self.lid else self._found(context, rig, entry)
+        targets.check_lids(rig, entry, lids)
+        setup.add_lids(rig, entry, lids)
+
+    @staticmethod
+    def _found(context, rig, entry):
+        used = {lid.name for lid in entry.lids} | set(driven_bones(rig, entry))
+        chosen = {bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig}
+        below = [bone.name for bone in rig.data.bones[entry.name].children_recursive if bone.name not in used]
+        called = names.lids_of(rig.data.bones, entry.name)
+        found = [name for name in below if name in chosen] or [name for name in below if name in called]
+        if not found:
+            raise Refused(tr("Select the bones of the eyelids in Pose Mode"))
+        return found
+
+
+class MOTUS_OT_look_at_lid_remove(OfAHead, bpy.types.Operator):
+    bl_idname = "motus.look_at_lid_remove"
+    bl_label = "Remove Eyelid"
+    bl_description = "Leave an eyelid to its own animation again"
+
+    lid: bpy.props.StringProperty(name="Eyelid", description="Name of the eyelid's bone", options={'SKIP_SAVE'})
+
+    def run(self, context):
+        rig = targets.looking_rig(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        if self.lid not in entry.lids:
+            raise Refused(tr("{bone} is no eyelid of {head}").format(bone=self.lid, head=entry.name))
+        setup.remove_lid(rig, entry, self.lid)
+
+
 class MOTUS_OT_look_at_target_add(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_target_add"
     bl_label = "Add Further Target"
@@ -291,6 +339,8 @@ classes = (
     MOTUS_OT_look_at_turn,
     MOTUS_OT_look_at_eye_add,
     MOTUS_OT_look_at_eye_remove,
+    MOTUS_OT_look_at_lid_add,
+    MOTUS_OT_look_at_lid_remove,
     MOTUS_OT_look_at_target_add,
     MOTUS_OT_look_at_target_remove,
 )

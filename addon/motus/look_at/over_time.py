@@ -3,11 +3,14 @@
 Times are frames of F-curves, which differ from the scene's frames under Time Stretching.
 """
 
-from ..core import rigs
+import math
+
+from ..core import native, rigs
 from ..core.animation.strips import together
 from ..core.evaluated.question import answered
 from ..core.file import deleted
 from ..core.lazy import numpy as np
+from ..core.measures import scene_time
 from ..core.settings import entry_keys
 from ..core.tracks import rotations
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
@@ -51,6 +54,11 @@ class OverTime(SolvedBone):
         """
         return together((self._row, self._head.stamp))
 
+    @property
+    def extent(self):
+        """(first, last) frame between which the bone's turn changes, infinite for eyes with saccades; None if it is constant."""
+        return (-math.inf, math.inf) if self._head.jumps(self._row) else super().extent
+
     def applied(self, times, transforms):
         """Transforms of the bone at times (n,), with Look At's turns after the rotations of `transforms`, which its own channels give."""
         return transforms._replace(rotations=rotations.product(transforms.rotations, self._head.turns(times)[:, self._row]))
@@ -60,7 +68,7 @@ class _Head:
     """One head's entry, which is solved at any times; all bones that it turns are solved together."""
 
     def __init__(self, owner, index, bones, scene):
-        self._owner, self._index, self._bones = owner, index, bones
+        self._owner, self._index, self._bones, self._scene = owner, index, bones, scene
         self._entry = entry = owner.motus.look_at.entries[index]
         lowest = owner.data.bones[bones[0]].parent
         self._targets = [_present(*goal) for goal in groups.goals(entry)]
@@ -77,7 +85,8 @@ class _Head:
     def _paths(self):
         entries = self._owner.motus.look_at.entries
         prefix = entry_keys.animated_prefix(self._owner, "motus.look_at.entries", entries, self._index)
-        names = (*solve.NUMBERS, "is_muted", *self._weight_names)
+        saccades = ("saccade_amplitude",) if self._entry.use_saccades else ()
+        names = (*solve.NUMBERS, "is_muted", *self._weight_names, *saccades)
         paths = {name: (prefix + name, -1) for name in names}
         return paths | {"influence": ("motus.look_at.influence", -1)}
 
@@ -92,7 +101,12 @@ class _Head:
 
         It holds which targets the head has, and the stamp of the solver's inputs.
         """
-        return together((tuple(target is not None for target in self._targets), self.inputs.stamp))
+        rate = scene_time.stamp(self._scene) if self._entry.use_saccades else ()
+        return together((tuple(target is not None for target in self._targets), rate, self.inputs.stamp))
+
+    def jumps(self, row):
+        """Whether the bone of a row is an eye with saccades."""
+        return self._entry.use_saccades and row > self._bones.index(self._entry.name)
 
     def turns(self, times):
         """Turns that the solver gives the head's bones at times (n,): quaternions w, x, y, z, (n, bones, 4).
@@ -113,9 +127,10 @@ class _Head:
         for number, (one, name) in enumerate(zip(worlds_of_targets, self._weight_names)):
             if one is not None:
                 targets[:, number], weights[:, number] = one[:, 12:15], numbers[name]
-        owner, text = self._owner, groups.plan_of(self._owner, [(self._entry, self._bones)])
+        owner, text = self._owner, groups.plan_of(self._owner, [(self._entry, self._bones)], {self._entry.name: []})
         wired = rigs.plan(owner, text, lambda rig, rows: solve.Wired(rig, rows, text))
         settings, worlds, still = self._settings(wired, times), self.inputs.worlds(times), wired.still
+        beside = self._beside(times, numbers)
         for index, (poses, basis) in enumerate(self.inputs.rows(times, rigs.names_of(owner))):
             wired.plan.solve(
                 still.rest,
@@ -131,8 +146,17 @@ class _Head:
                 up=wired.up,
                 target_weights=weights[index],
                 target_counts=[len(self._targets)],
+                eyes_beside=None if beside is None else beside[index : index + 1],
             )
         return found
+
+    def _beside(self, times, numbers):
+        """How far the eyes look beside the target at times (n,), (n, 2) radians to the left and up; None without saccades."""
+        entry = self._entry
+        if not entry.use_saccades:
+            return None
+        seconds = times / scene_time.fps(self._scene)
+        return native.module.saccades(seconds, numbers["saccade_amplitude"], entry.saccade_rate, entry.eyes_seed)
 
     def _settings(self, wired, times):
         numbers = self.inputs.numbers(times)

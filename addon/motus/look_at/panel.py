@@ -7,9 +7,10 @@ import bpy
 from ..core import wiring
 from ..core.file.pointers import pointed
 from ..core.interface import bone_entries, panels, ui
+from ..core.interface.tracks import panel as track_panel
 from ..core.translations import OWN_SENSE, tr
-from . import names, presets, reasons, rows
-from .groups import OUTPUTS, shared_bone
+from . import blinks, names, presets, reasons, rows
+from .groups import OUTPUTS, driven_bones, shared_bone
 from .setup import system
 
 
@@ -162,6 +163,37 @@ def draw_limits(layout, context):
         rows.SIDES.draw(ui.split(layout), entry, has_title=True)
 
 
+def draw_eyes(layout, context):
+    """Draw the settings of what the eyes do by themselves, and what blinks move: eyelids and a shape key."""
+    rig = context.object
+    entry = active_entry(rig)
+    if entry is None:
+        return
+    rows.EYES.draw(ui.split(layout), entry)
+    if not entry.use_blinks:
+        return
+    for track, keywords in _gaze_unknown(context, entry):
+        track_panel.draw(layout, track, **keywords)
+    rows.SHUT.draw(ui.split(layout), entry)
+    box = layout.box().column(align=True)
+    box.label(text="Eyelids", icon='HIDE_ON')
+    for lid in entry.lids:
+        row = box.row(align=True)
+        row.label(text=lid.name, icon='BONE_DATA', translate=False)
+        row.prop(lid, "angle", text="")
+        _for_entry(row.operator("motus.look_at_lid_remove", text="", icon='X'), rig, entry).lid = lid.name
+    _for_entry(box.operator("motus.look_at_lid_add", icon='ADD'), rig, entry)
+
+
+def _gaze_unknown(context, entry):
+    """(track, keywords of motus.track_record) of each input of the gaze that needs recording, for blinks along with turns."""
+    bones = driven_bones(context.object, entry)
+    if not bones or entry.blink_angle >= math.pi:
+        return ()
+    index = context.object.motus.look_at.entries.find(entry.name)
+    return blinks.Gaze(context.object, index, bones, context.scene).unknown
+
+
 def draw_bones(layout, context):
     """Draw the settings of which bones turn along with the head, and of the axes along which head and eyes look at rest."""
     rig = context.object
@@ -213,6 +245,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("targets", "Further Targets", draw_targets),
         panels.Part("limits", "Limits", draw_limits),
+        panels.Part("eyes", "Eyes by Themselves", draw_eyes),
         panels.Part("bones", "Bones", draw_bones),
     ),
     readouts=draw_readouts,

@@ -9,7 +9,7 @@ from .properties import KEYWORDS, SIDE_LIMITS
 
 ENTRY = "bpy.context.object.motus.look_at.entries[bpy.context.object.motus.look_at.active_entry]"
 # Settings that belong to one rig or one shot, which presets leave out, and copying unless asked.
-OF_THE_HEAD = {"weight", "head_forward", "eyes_forward"}
+OF_THE_HEAD = {"weight", "head_forward", "eyes_forward", "eyes_seed"}
 
 
 # How far people turn their heads and eyes with ease: left, right, up, down.
@@ -26,6 +26,14 @@ BROUGHT = (
         "Person",
         "Eyes first, then the head, and a little of the back",
         {"body_weight": 0.25, "head_weight": 0.7, "eyes_weight": 1.0} | _degrees(50.0, 70.0, 35.0) | HUMAN_SIDES,
+    ),
+    Preset(
+        'ALIVE',
+        "Alive",
+        "As Person, with eyes that jump a little and blink by themselves",
+        {"body_weight": 0.25, "head_weight": 0.7, "eyes_weight": 1.0, "use_saccades": True, "use_blinks": True}
+        | _degrees(50.0, 70.0, 35.0)
+        | HUMAN_SIDES,
     ),
     Preset(
         'GLANCE',

@@ -9,7 +9,7 @@ from ..core.file.pointers import to_object
 from ..core.interface import bone_entries
 from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
-from ..core.settings.declared import choice, factor, number
+from ..core.settings.declared import choice, factor, number, switch, whole
 from . import facing
 
 FORWARDS = (
@@ -55,6 +55,35 @@ class LookAtKeywords:
     eyes_right_limit: _side("Eyes Right", "Largest part of the eyes' turn to the character's right; 180 degrees: none but Eyes Limit")
     eyes_up_limit: _side("Eyes Up", "Largest part of the eyes' turn upwards; 180 degrees: none but Eyes Limit")
     eyes_down_limit: _side("Eyes Down", "Largest part of the eyes' turn downwards; 180 degrees: none but Eyes Limit")
+    use_saccades: switch("Saccades", "Let the eyes jump a little about what they look at, as those of people do", update=rewire)
+    saccade_amplitude: number(
+        "Amplitude",
+        "Largest angle between the target and where the eyes look",
+        math.radians(2.0),
+        ANIMATED,
+        min=0.0,
+        max=math.pi,
+        soft_max=math.radians(20.0),
+        subtype='ANGLE',
+    )
+    saccade_rate: number(
+        "Rate", "Jumps of the eyes a second, on average", 2.0, tells_no_keys=True, min=0.0, max=100.0, soft_max=5.0, update=rewire
+    )
+    use_blinks: switch("Blinks", "Let the eyelids blink now and then, and along with large turns of the gaze", update=rewire)
+    blink_rate: number(
+        "Blinks a Minute", "Blinks at random times, on average", 15.0, tells_no_keys=True, min=0.0, max=600.0, soft_max=60.0, update=rewire
+    )
+    blink_angle: number(
+        "Blink at Turns",
+        "Turn of the gaze, within a fifth of a second, from which on a blink goes along; 180 degrees: none do",
+        math.radians(33.0),
+        tells_no_keys=True,
+        min=0.0,
+        max=math.pi,
+        subtype='ANGLE',
+        update=rewire,
+    )
+    eyes_seed: whole("Seed", "Each seed has the eyes move by themselves at different times", 0, tells_no_keys=True, min=0, update=rewire)
     forward: _axis("Forward", "Axis of the rig that points where the character faces at rest", AXES, facing.FORWARD)
     up: _axis("Up", "Axis of the rig that points from the feet to the head at rest", AXES, facing.UP)
     head_forward: _axis("Head Forward", "Axis of the head bone that points where the face looks", FORWARDS, 'AUTO')
@@ -66,6 +95,20 @@ KEYWORDS = tuple(LookAtKeywords.__annotations__)
 
 class MOTUS_PG_look_at_eye(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Eye", description="Bone of the eye, below the head", update=rewire, override=OVERRIDABLE)
+
+
+class MOTUS_PG_look_at_lid(bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(name="Eyelid", description="Bone of the eyelid, below the head", update=rewire, override=OVERRIDABLE)
+    angle: number(
+        "Angle",
+        "Turn about the bone's X axis that shuts the eye",
+        math.radians(40.0),
+        tells_no_keys=True,
+        min=-math.pi,
+        max=math.pi,
+        subtype='ANGLE',
+        update=rewire,
+    )
 
 
 _target_weight = partial(
@@ -107,6 +150,11 @@ class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
         override=OVERRIDABLE,
     )
     eyes: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_eye, name="Eyes", override=EXTENDABLE)
+    lids: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_lid, name="Eyelids", override=EXTENDABLE)
+    shut_object: to_object(name="Face", description="Mesh object with a shape key that shuts the eyes", update=rewire, override=OVERRIDABLE)
+    shut_key: bpy.props.StringProperty(
+        name="Shape Key", description="Shape key that shuts the eyes, which blinks drive", update=rewire, override=OVERRIDABLE
+    )
     is_muted: bpy.props.BoolProperty(
         name="Mute",
         description="Switch the entry off: the head keeps its own animation",

@@ -69,6 +69,21 @@ def remove_target(rig, place, index):
         entry.active_extra_target = max(0, min(entry.active_extra_target, len(entry.extra_targets) - 1))
 
 
+def add_lids(rig, entry, lids):
+    """Let bones shut as eyelids of a head, by the names in `lids`, each by the turn that shuts its eye; the head blinks then."""
+    with entries.at_once(system(), rig):
+        for name in lids:
+            lid = entry.lids.add()
+            lid.name, lid.angle = name, anatomy.lid_angle(rig, entry, name)
+        entry.use_blinks = True
+
+
+def remove_lid(rig, entry, name):
+    """Leave the eyelid of a name to its own animation again."""
+    with entries.at_once(system(), rig):
+        entry.lids.remove(entry.lids.find(name))
+
+
 def remove_unneeded(target):
     """Delete a target that Motus has made if nothing uses the object, and it has no animation data. target: an object or None."""
     targets.remove_unneeded(target, MADE_KEY)

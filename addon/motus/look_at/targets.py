@@ -8,7 +8,7 @@ from ..core.declare import entries_on, systems
 from ..core.file import libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
-from . import anatomy, names
+from . import anatomy, groups, names
 from .properties import ANY_BODY_LENGTH
 
 
@@ -104,6 +104,19 @@ def check_eyes(rig, head, eyes):
         parents = [bone.name for bone in rig.data.bones[eye].parent_recursive]
         if set(parents) & set(eyes):
             raise Refused(tr("{bone} is below another eye").format(bone=eye))
+
+
+def check_lids(rig, entry, lids):
+    """Refuse eyelids that are listed already, are no descendants of the head bone, or are turned by a head or a different system."""
+    below = {bone.name for bone in rig.data.bones[entry.name].children_recursive}
+    turned = groups.driven_bones(rig, entry)
+    for lid in lids:
+        check_bone(rig, lid)
+        if lid not in below:
+            raise Refused(tr("{bone} is not below {head}").format(bone=lid, head=entry.name))
+        if lid in turned or lid in entry.lids:
+            raise Refused(tr("{bone} turns with {head} already").format(bone=lid, head=entry.name))
+    check_free(rig, entry.name, lids)
 
 
 def spine_for(rig, head, wanted, up, taken):

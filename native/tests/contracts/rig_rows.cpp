@@ -1,7 +1,9 @@
 #include "contracts/rigs.hpp"
 #include "contracts/row.hpp"
 #include "contracts/samples.hpp"
+#include "motus/bones/ik/floor.hpp"
 #include "motus/bones/ik/ik.hpp"
+#include "motus/bones/look_at/eyes.hpp"
 #include "motus/bones/look_at/plan.hpp"
 
 namespace motus::contracts {
@@ -80,8 +82,8 @@ struct Solve {
         setting("position_weight", &ik::ChainSettings::position_weight),
         setting("rotation_weight", &ik::ChainSettings::rotation_weight),
         setting("softness", &ik::ChainSettings::softness), setting("stretch", &ik::ChainSettings::stretch),
-        setting("pole_angle", &ik::ChainSettings::pole_angle), setting("bend", &ik::ChainSettings::bend),
-        setting("hinge_angle", &ik::ChainSettings::hinge_angle),
+        setting("volume", &ik::ChainSettings::volume), setting("pole_angle", &ik::ChainSettings::pole_angle),
+        setting("bend", &ik::ChainSettings::bend), setting("hinge_angle", &ik::ChainSettings::hinge_angle),
         setting("tolerance", &ik::ChainSettings::tolerance),
         setting("max_iterations", &ik::ChainSettings::max_iterations),
         setting("left_out", &ik::ChainSettings::left_out));
@@ -90,6 +92,18 @@ struct Solve {
 }  // namespace
 
 void add_ik(Table& table) {
+    const Domain lifts_nothing = any_at_rest("any; a floor with a number that is not finite lifts nothing");
+    add(
+        table, "bones::ik::above_floor(target, floor)",
+        [](const glm::dvec3& target, const ik::Floor& floor) { return ik::above_floor(target, floor); },
+        arg("target", glm::dvec3(0.3, 0.2, -1.0),
+            Domain{"any; the same if it is not finite",
+                   [](const Domain::Seen&) { return Verdict::unbounded; }}),
+        of(ik::Floor{{0.0, 0.0, 0.1}, {0.0, 0.6, 0.8}, 0.1, 0.2},
+           member("place", &ik::Floor::place, lifts_nothing), member("up", &ik::Floor::up, lifts_nothing),
+           member("height", &ik::Floor::height, lifts_nothing),
+           member("margin", &ik::Floor::margin, lifts_nothing)))
+        .costs("O(1)");
     add(
         table, "bones::ik::ChainPlan::ChainPlan(parents, chains, guards)",
         [](const auto& above, const auto& chain, int effector, int guard, int of_chain) {
@@ -293,6 +307,24 @@ void add_look_at(Table& table) {
         },
         arg("animated", ahead, part), arg("target", glm::dvec3(0.6, 0.8, 0.0), part), settings)
         .costs("O(1)");
+    const Domain moment = any_at_rest("any; 0 if it is not finite");
+    using look_at::Saccades;
+    add(
+        table, "bones::look_at::saccade(saccades, seconds)",
+        [](const Saccades& given, double seconds) { return look_at::saccade(given, seconds); },
+        of(Saccades{0.1, 2.0, 3}, member("amplitude", &Saccades::amplitude, moment),
+           member("rate", &Saccades::rate, moment)),
+        arg("seconds", 1.3, moment))
+        .costs("O(1)");
+    add(
+        table, "bones::look_at::blink(since)", [](double since) { return look_at::blink(since); },
+        arg("since", 0.2, moment))
+        .costs("O(1)");
+    add(
+        table, "bones::look_at::blinks(rate, seed, seconds)",
+        [](double rate, double seconds) { return look_at::blinks(rate, 5, seconds); },
+        arg("rate", 0.25, moment), arg("seconds", 1.3, moment))
+        .costs("O(1)");
     add(
         table, "bones::look_at::GazePlan::GazePlan(parents, entries)",
         [](const auto& above, const auto& body, int head) {
@@ -323,7 +355,8 @@ void add_look_at(Table& table) {
         arg("poses", matrices, rest, as_many_as("the bones' matrices")),
         arg("basis", own, rest, as_many_as("the bones' matrices")), arg("world", glm::dmat4(1.0), rest),
         of(good, member("target", &GazeInput::target, rest),
-           member("head_forward", &GazeInput::head_forward, rest), member("up", &GazeInput::up, rest)),
+           member("head_forward", &GazeInput::head_forward, rest), member("up", &GazeInput::up, rest),
+           member("eyes_beside", &GazeInput::eyes_beside, rest)),
         arg("eyes_forward", std::vector<glm::dvec3>(1, up), rest, as_many_as("the eyes")),
         out<glm::dquat>("rotations", 4, "the rows"),
         out<look_at::GazeDiagnostics>("reports", 1, "the entries"))

@@ -301,6 +301,7 @@ TEST_CASE("rigs of arbitrary numbers are solved to finite rotations", "[fuzz]") 
                        dice.number(0.0, 0.5),
                        dice.number(0.0, 1.0),
                        dice.number(),
+                       dice.number(),
                        dice.chance(0.5) ? 1 : -1,
                        dice.number(),
                        1e-6,

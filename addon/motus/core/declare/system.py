@@ -57,7 +57,8 @@ class System(Feature):
     same_bits: whether members have the same matrices, bit by bit, in every version of Blender; only some kinds of sinks allow that.
     lays_pose: whether the members are bones that are posed by their own transforms, as keys pose them. Their sinks come before all other
     constraints, and all other systems start from the resulting pose, which solve() passes to rigs.lay().
-    reads_keys: whether solve() reads keyframes of other frames; it is called again if they are edited (core/evaluated/read_keys.py).
+    reads_keys: whether solve() reads keyframes of other frames, or a function of the settings that says so; it is called again if they
+    are edited (core/evaluated/read_keys.py).
     groups: function of the owner that returns Groups, in place of `channels` and `members`. entries: function of the owner that returns an
     Entry for each item in the owner's list of settings. copied_settings, shot_settings: names (core/settings/copied.py). adder: operator
     that sets the system up on an object, or on bones of it, given by the keywords `object` and `bones` alone; "" for none. bone_renamed:
@@ -91,7 +92,7 @@ class System(Feature):
     is_relative: bool = False
     same_bits: bool = False
     lays_pose: bool = False
-    reads_keys: bool = False
+    reads_keys: bool | Callable[[Any], bool] = False
     groups: Callable[..., Any] | None = None
     entries: Callable[..., Any] | None = None
     bone_renamed: Callable[..., Any] | None = None

@@ -1,5 +1,9 @@
 """Spanish: look at."""
 
+from ...core.settings import NO_KEYS
+
+_NO_KEYS_ES = ". No admite claves: todo el movimiento depende de ello"
+
 INTERFACE = {
     "Person": "Persona",
     "Eyes first, then the head, and a little of the back": "Primero los ojos, luego la cabeza y un poco la espalda",
@@ -43,6 +47,36 @@ INTERFACE = {
     "Take a further target off the head": "Quitar a la cabeza otro objetivo",
     "Name of the object; empty takes what is selected along with the rig": "Nombre del objeto; vacío toma lo que está seleccionado con el rig",
     "Limits by Direction": "Límites por dirección",
+    "Eyes by Themselves": "Ojos por sí solos",
+    "Alive": "Vivo",
+    "As Person, with eyes that jump a little and blink by themselves": "Como Persona, con ojos que saltan un poco y parpadean por sí solos",
+    "Blinks": "Parpadeos",
+    "Let the eyelids blink now and then, and along with large turns of the gaze": "Hacer que los párpados parpadeen de vez en cuando, y con los giros grandes de la mirada",
+    "Blinks a Minute": "Parpadeos por minuto",
+    "Blinks at random times, on average" + NO_KEYS: "Parpadeos en momentos al azar, de media" + _NO_KEYS_ES,
+    "Blink at Turns": "Parpadear al girar",
+    "Turn of the gaze, within a fifth of a second, from which on a blink goes along; 180 degrees: none do"
+    + NO_KEYS: "Giro de la mirada, en un quinto de segundo, a partir del cual lo acompaña un parpadeo; 180 grados: ninguno" + _NO_KEYS_ES,
+    "Eyelid": "Párpado",
+    "Leave an eyelid to its own animation again": "Dejar otra vez un párpado a su propia animación",
+    "Shape Key": "Forma clave",
+    "Eyelids": "Párpados",
+    "Bone of the eyelid, below the head": "Hueso del párpado, bajo la cabeza",
+    "Turn about the bone's X axis that shuts the eye" + NO_KEYS: "Giro en torno al eje X del hueso que cierra el ojo" + _NO_KEYS_ES,
+    "Mesh object with a shape key that shuts the eyes": "Objeto de malla con una forma clave que cierra los ojos",
+    "Shape key that shuts the eyes, which blinks drive": "Forma clave que cierra los ojos, movida por los parpadeos",
+    "Let a bone below the head shut as an eyelid when the head blinks": "Hacer que un hueso bajo la cabeza se cierre como un párpado cuando la cabeza parpadea",
+    "Name of the eyelid's bone; empty takes the selected bones below the head, or else those that are called lid": "Nombre del hueso del párpado; vacío toma los huesos seleccionados bajo la cabeza o, si no, los que se llaman lid",
+    "Name of the eyelid's bone": "Nombre del hueso del párpado",
+    "Select the bones of the eyelids in Pose Mode": "Selecciona los huesos de los párpados en el modo Pose",
+    "{bone} is no eyelid of {head}": "{bone} no es un párpado de {head}",
+    "{bone} turns with {head} already": "{bone} ya gira con {head}",
+    "Saccades": "Sacadas",
+    "Let the eyes jump a little about what they look at, as those of people do": "Hacer que los ojos salten un poco en torno a lo que miran, como los de las personas",
+    "Largest angle between the target and where the eyes look": "Ángulo máximo entre el objetivo y el punto al que miran los ojos",
+    "Jumps of the eyes a second, on average" + NO_KEYS: "Saltos de los ojos por segundo, de media" + _NO_KEYS_ES,
+    "Each seed has the eyes move by themselves at different times"
+    + NO_KEYS: "Con cada semilla los ojos se mueven por sí solos en otros momentos" + _NO_KEYS_ES,
     "Head Left": "Cabeza a la izquierda",
     "Largest part of the head's turn to its own left; 180 degrees: none but Head Limit": "Parte máxima del giro de la cabeza hacia su izquierda; 180 grados: solo Límite de la cabeza",
     "Head Right": "Cabeza a la derecha",
@@ -132,4 +166,6 @@ OPERATORS = {
     "Remove Further Target": "Quitar otro objetivo",
     "Add Eye": "Agregar ojo",
     "Remove Eye": "Quitar ojo",
+    "Add Eyelid": "Agregar párpado",
+    "Remove Eyelid": "Quitar párpado",
 }

@@ -21,6 +21,7 @@
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
 #include "core/typed.hpp"
+#include "motus/bones/ik/floor.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::bindings {
@@ -38,6 +39,7 @@ enum SettingsColumn : std::size_t {
     rotation_weight,
     softness,
     stretch,
+    volume,
     pole_angle,
     bend,
     hinge_angle,
@@ -48,8 +50,8 @@ enum SettingsColumn : std::size_t {
     left_out
 };
 constexpr std::array settings_columns{
-    "position_weight", "rotation_weight", "softness",   "stretch",    "pole_angle", "bend",
-    "hinge_angle",     "tolerance",       "iterations", "use_limits", "is_on",      "left_out"};
+    "position_weight", "rotation_weight", "softness",   "stretch",    "volume", "pole_angle", "bend",
+    "hinge_angle",     "tolerance",       "iterations", "use_limits", "is_on",  "left_out"};
 using SettingsRow = std::span<const double, settings_columns.size()>;
 constexpr std::array report_columns{"residual", "angle", "reason", "iterations", "distance",
                                     "reach",    "tip_x", "tip_y",  "tip_z"};
@@ -74,6 +76,7 @@ Typed<"tuple[str, ...]"> names_of(const Names& names) {
     settings.rotation_weight = row[rotation_weight];
     settings.softness = row[softness];
     settings.stretch = row[stretch];
+    settings.volume = row[volume];
     settings.pole_angle = row[pole_angle];
     settings.bend = row[bend] < 0.0 ? -1 : 1;
     settings.hinge_angle = row[hinge_angle];
@@ -244,6 +247,13 @@ Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.flo
     return py::make_tuple(targets, poles);
 }
 
+DoubleArray above_floor(const ArrayLike& target, const ArrayLike& place, const ArrayLike& up,
+                        const Number& height, const Number& margin) {
+    const ik::Floor floor{vector(place, "place"), vector(up, "up"), number(height, "height"),
+                          number(margin, "margin")};
+    return to_array(ik::above_floor(vector(target, "target"), floor));
+}
+
 bones::Rest bone_argument(const ArrayLike& rest, const OptionalArrayLike& parent_rest,
                           const InheritScaleName& scale, const Flag& rotation, const Flag& location) {
     bones::Rest bone;
@@ -343,7 +353,7 @@ All float64 from here on.  world: (16,) the rig's matrix_world, column by column
 settings: (c, len(SETTINGS)).  targets: (c, 16) world matrices, column by column.  poles: (c, 3) world, NaN for none.
 limits: (chain bones, 6) rad, least x, y, z and greatest x, y, z of swing (x, z) and twist (y), or None.
 rotations, scales: (rows, 4) w, x, y, z and (rows, 3) to write into; C-contiguous, apart in memory.
-Settings: position_weight, rotation_weight, stretch 0 to 1; softness a fraction of the chain's length; pole_angle,
+Settings: position_weight, rotation_weight, stretch 0 to 1; volume the share, 0 to 1, that stretched bones keep of theirs; softness a fraction of the chain's length; pole_angle,
 hinge_angle rad; bend < 0 away from the pole; tolerance a fraction of the length; use_limits, is_on 0 or not; left_out how many of
 the chain's first bones stay as they are animated.
 Returns (c, len(REPORT)): residual, distance, reach and tip in the world, of the solution with position_weight 1; angle left
@@ -355,6 +365,12 @@ Targets and poles for which the solution is the animated pose: ((c, 16), (c, 3))
 
 The targets are rigid. A chain with numbers that are not finite gets the identity and no pole (NaN).)");
 
+    m.def("above_floor", &above_floor, "target"_a, "place"_a, "up"_a, "height"_a = 0.0, "margin"_a = 0.0, R"(
+A chain's target, or the place above a floor that takes its stead.
+
+target: (3,).  place: (3,), a point of the floor's plane.  up: (3,), away from the floor; of no length: there is no floor.
+height: of the lowest target above the plane.  margin: within it, above and below that height, targets are held back softly.
+Returns (3,).  Raises ValueError or TypeError that names the argument.)");
     m.def("bone_to_pose", &bone_to_pose, "rest"_a, "parent_rest"_a, "parent_pose"_a, "basis"_a,
           "inherit_scale"_a = "FULL", "inherit_rotation"_a = true, "local_location"_a = true, R"(
 A bone's pose in armature space, as Blender makes it from the bone's own transform (Bone.convert_local_to_pose).

@@ -15,6 +15,7 @@
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
 #include "core/typed.hpp"
+#include "motus/bones/look_at/eyes.hpp"
 #include "motus/bones/look_at/gaze.hpp"
 #include "motus/bones/look_at/plan.hpp"
 
@@ -28,6 +29,7 @@ using std::numbers::pi;
 
 constexpr double turn_cost = 300.0;    // ns, rough
 constexpr double entry_cost = 1500.0;  // ns, rough
+constexpr double eyes_cost = 100.0;    // ns, rough
 
 // --- look_at ---------------------------------------------------------------------------------------------
 
@@ -210,7 +212,8 @@ DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, 
                        const Float64Array& settings, const Float64Array& targets,
                        const Float64Array& head_forward, const Float64Array& eyes_forward,
                        const OptionalFloat64Array& rotations, const OptionalFloat64Array& up,
-                       const OptionalFloat64Array& target_weights, const OptionalArrayLike& target_counts) {
+                       const OptionalFloat64Array& target_weights, const OptionalArrayLike& target_counts,
+                       const OptionalFloat64Array& eyes_beside) {
     const std::size_t count = plan.size();
     const CopiedRig rig(plan.parents(), rest, poses, basis, inheritance);
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
@@ -234,6 +237,9 @@ DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, 
     const std::span<const double> eyes_axes = elements<double>(eyes_forward, "eyes_forward", {eye_count, 3});
     const std::span<const double> ups =
         up.is_none() ? std::span<const double>() : elements<double>(up, "up", {count, 3});
+    const std::span<const double> beside = eyes_beside.is_none()
+                                               ? std::span<const double>()
+                                               : elements<double>(eyes_beside, "eyes_beside", {count, 2});
     const std::size_t row_count = plan.rows().size();
     auto rows = output<double>(rotations, "rotations", {static_cast<py::ssize_t>(row_count), 4});
     const std::span<double> row_values = values_of(rows);
@@ -243,6 +249,7 @@ DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, 
     require_apart(head_axes, "head_forward", row_values, "rotations");
     require_apart(eyes_axes, "eyes_forward", row_values, "rotations");
     require_apart(ups, "up", row_values, "rotations");
+    require_apart(beside, "eyes_beside", row_values, "rotations");
 
     DoubleArray report = new_array({count, report_count});
     const std::span<double> report_values = values_of(report);
@@ -261,6 +268,7 @@ DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, 
     std::span<const look_at::GazeTarget> later_aims = aims;
     for (std::size_t i = 0; i < count; ++i) {
         look_at::GazeInput& input = inputs.emplace_back(input_at(i, setting_rows, head_axes, ups));
+        if (!beside.empty()) input.eyes_beside = {beside[2 * i], beside[2 * i + 1]};
         input.eyes_forward = later_eyes.first(plan.eye_counts()[i]);
         later_eyes = later_eyes.subspan(plan.eye_counts()[i]);
         const auto own = static_cast<std::size_t>(targets_of[i]);
@@ -286,6 +294,62 @@ DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, 
     return report;
 }
 
+// --- Eyes ------------------------------------------------------------------------------------------
+
+DoubleArray saccades_at(const ArrayLike& seconds, const ArrayLike& amplitude, const Number& rate,
+                        const WholeNumber& seed) {
+    const Numbers times(seconds, "seconds");
+    const Numbers amplitudes(amplitude, "amplitude");
+    const std::size_t count = times.values().size();
+    if (!amplitudes.is_single() && amplitudes.values().size() != count)
+        value_error("amplitude", "must be a number or have as many rows as seconds");
+    if (!std::ranges::all_of(amplitudes.values(), [](double one) { return one >= 0.0; }))
+        value_error("amplitude", "must be >= 0");
+    look_at::Saccades saccades;
+    saccades.rate = limit(rate, "rate");
+    saccades.seed = seed_of(seed);
+    DoubleArray result = times.is_single() ? new_array({2}) : new_array({count, 2});
+    const std::span<double> out = values_of(result);
+    for (std::size_t i = 0; i < count; ++i) {
+        saccades.amplitude = amplitudes.values()[amplitudes.is_single() ? 0 : i];
+        const glm::dvec2 place = saccade(saccades, times.values()[i]);
+        out[2 * i] = place.x;
+        out[2 * i + 1] = place.y;
+    }
+    return result;
+}
+
+void bind_eyes(py::module_& m) {
+    m.def("saccades", &saccades_at, "seconds"_a, "amplitude"_a, "rate"_a = 2.0, "seed"_a = 0, R"(
+Where eyes look beside their target at times: small jumps between random places, as long as those of people.
+
+seconds: a number or (m,).  amplitude: a number or (m,), farthest from the target, rad, >= 0.  rate: jumps a second on average,
+>= 0, at most 100 count.  seed: a whole number from 0 to 2^32 - 1.
+Returns (2,) or (m, 2): rad to the left and up.  Raises ValueError or TypeError that names the argument.)");
+    m.def(
+        "blink",
+        [](const ArrayLike& since) {
+            return map_numbers(Numbers(since, "since"), eyes_cost,
+                               [](double seconds) { return look_at::blink(seconds); });
+        },
+        "since"_a, R"(
+How far a blink has shut the eyes, 0 to 1.  since: a number or (m,), seconds after its beginning; it takes 0.3.
+Returns a float or (m,).  Raises ValueError or TypeError that names the argument.)");
+    m.def(
+        "blinks",
+        [](const ArrayLike& seconds, const Number& rate, const WholeNumber& seed) {
+            return map_numbers(Numbers(seconds, "seconds"), eyes_cost,
+                               [often = limit(rate, "rate"), from = seed_of(seed)](double time) {
+                                   return look_at::blinks(often, from, time);
+                               });
+        },
+        "seconds"_a, "rate"_a = 0.25, "seed"_a = 0, R"(
+How far blinks have shut the eyes at times, 0 to 1: one at a random time in each 1 / rate.
+
+seconds: a number or (m,).  rate: blinks a second, >= 0, at most 100 count.  seed: a whole number from 0 to 2^32 - 1.
+Returns a float or (m,).  Raises ValueError or TypeError that names the argument.)");
+}
+
 void bind_turns(py::module_& m) {
     py::class_<Turns>(m, "LookAtTurns", py::module_local(), R"(
 How a gaze turns to its target, from look_at(): of one target values, of m targets arrays with m rows.
@@ -305,6 +369,7 @@ weights does.)");
 
 void bind_look_at(py::module_& m) {
     bind_turns(m);
+    bind_eyes(m);
     m.def(
         "look_at",
         [reason_type = py::object(m.attr("Reason"))](
@@ -355,7 +420,7 @@ Raises ValueError or TypeError that names the argument.)");
     plan.attr("REPORT") = report_names();
     plan.def("solve", &solve_plan, "rest"_a, "poses"_a, "basis"_a, "inheritance"_a, "world"_a, "settings"_a,
              "targets"_a, "head_forward"_a, "eyes_forward"_a, "rotations"_a = py::none(), "up"_a = py::none(),
-             "target_weights"_a = py::none(), "target_counts"_a = py::none(),
+             "target_weights"_a = py::none(), "target_counts"_a = py::none(), "eyes_beside"_a = py::none(),
              R"(
 Rotations that turn body, head and eyes of each entry to its target.
 
@@ -367,7 +432,8 @@ the eyes of all entries, axes of the bones that point where they look, of any le
 direction at rest, in armature space, of any length but 0; None: Z.
 target_counts: (C,), how many of the targets, in order, each entry has, at least one; None: one each.  target_weights: (T,), less
 than 0 counts as 0; None: 1.  An entry looks in the mean by weight of its targets' directions; of weights that sum up to less than 1
-the animated gaze takes the rest.
+the animated gaze takes the rest.  eyes_beside: (C, 2), how far beside that direction the eyes look, rad to the left and up, times
+weight, within their limits; see saccades(); None: 0.
 rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
 report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity if nothing turns.
 Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 if an input is not

@@ -52,6 +52,11 @@ bool Pose::read(const ChainInput& input, const ChainPlan::Chain& chain) {
     return true;
 }
 
+glm::dvec3 Pose::stretched(double stretch) const {
+    const double across = stretch == 1.0 || volume_ == 0.0 ? 1.0 : std::pow(stretch, -0.5 * volume_);
+    return {across, stretch, across};
+}
+
 void Pose::enter(std::size_t i) {
     const std::size_t place = first_ + i;
     posed_[place].space = linear_space(*bones_[i].offset, place > 0 ? posed_[place - 1].axes : parent_axes_);
@@ -59,17 +64,14 @@ void Pose::enter(std::size_t i) {
 
 glm::dvec3 Pose::reach_of(std::size_t i, double stretch) const {
     const AnimatedBone& bone = bones_[i];
-    glm::dvec3 reach = bone.scale * posed(i).space.post_scale * bone.next;
-    reach.y *= stretch;
-    return reach;
+    return bone.scale * posed(i).space.post_scale * bone.next * stretched(stretch);
 }
 
 void Pose::place(std::size_t i, const glm::dquat& rotation, double stretch) {
     PosedBone& posed = posed_[first_ + i];
     posed.rotation = rotation;
     posed.stretch = stretch;
-    glm::dvec3 scale = bones_[i].scale * posed.space.post_scale;
-    scale.y *= stretch;
+    const glm::dvec3 scale = bones_[i].scale * posed.space.post_scale * stretched(stretch);
     posed.axes = scaled(posed.space.axes * glm::mat3_cast(rotation), scale);
     joints_[first_ + i + 1] = joints_[first_ + i] + posed.axes * bones_[i].next;
 }

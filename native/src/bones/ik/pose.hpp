@@ -30,6 +30,11 @@ class Pose {
     /// Puts the chain's bones, which the input keeps, into their FK pose. False if a number is not finite.
     [[nodiscard]] bool read(const ChainInput& input, const ChainPlan::Chain& chain);
 
+    /// How much of its volume a bone keeps that place() stretches, 0 to 1; none at first.
+    void keep_volume(double share) noexcept { volume_ = share; }
+    /// Scales on top of a bone's own if it is stretched.
+    [[nodiscard]] glm::dvec3 stretched(double stretch) const;
+
     [[nodiscard]] std::size_t size() const noexcept { return bones_.size(); }
     [[nodiscard]] const AnimatedBone& bone(std::size_t i) const { return bones_[i]; }
     [[nodiscard]] const PosedBone& posed(std::size_t i) const { return posed_[first_ + i]; }
@@ -59,6 +64,7 @@ class Pose {
 
   private:
     glm::dmat3 parent_axes_{1.0};
+    double volume_ = 0.0;
     std::size_t first_ = 0;  // index of the first solved bone; the bones before it are left out
     std::span<const AnimatedBone> bones_;
     std::vector<PosedBone> posed_;

@@ -61,7 +61,7 @@ double Solution::write(std::span<const AnimatedBone> rows, const ChainPlan::Chai
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t row = chain.first_row + i;
         output.rotations[row] = share_of_turn(relative(pose_.bone(i).rotation, rotations_[i]), weight);
-        output.scales[row] = {1.0, 1.0 + weight * (stretches_[i] - 1.0), 1.0};
+        output.scales[row] = pose_.stretched(1.0 + weight * (stretches_[i] - 1.0));
     }
     if (chain.has_free_effector) {
         output.rotations[chain.effector.row] = no_turn;

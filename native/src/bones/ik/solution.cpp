@@ -16,6 +16,31 @@ double stretch_of(const AimReport& report, double stretch) {
     return lacks ? 1.0 + stretch * excess / report.end : 1.0;
 }
 
+/// The stretch by which a bone reaches as far as `wanted`, a square of a length; 1 if none does. reach: where
+/// the next joint is without stretch, seen from the bone. volume: as in ChainSettings.
+double own_stretch(double wanted, const glm::dvec3& reach, double volume) {
+    const double across = reach.x * reach.x + reach.z * reach.z;
+    const double along = reach.y * reach.y;
+    if (along == 0.0) return 1.0;
+    constexpr double least = 1e-3, most = 1e6;
+    if (volume == 0.0 || across == 0.0) {
+        const double square = wanted - reach.x * reach.x - reach.z * reach.z;
+        return square > 0.0 ? std::clamp(std::sqrt(square) / std::abs(reach.y), least, most) : 1.0;
+    }
+    // along s^2 + across s^-volume - wanted is convex: Newton's method comes down to its greater root.
+    double stretch = std::sqrt(wanted / along);
+    constexpr int most_steps = 100;
+    for (int step = 0; step < most_steps; ++step) {
+        const double thin = across * std::pow(stretch, -volume);
+        const double slope = 2.0 * along * stretch - volume * thin / stretch;
+        const double next = stretch - (along * stretch * stretch + thin - wanted) / slope;
+        if (!(slope > 0.0) || !(next > 0.0)) return 1.0;
+        if (next >= stretch) break;
+        stretch = next;
+    }
+    return std::clamp(stretch, least, most);
+}
+
 }  // namespace
 
 Solution::Solution(std::size_t longest)
@@ -39,6 +64,7 @@ AimReport Solution::solve(const ChainPlan::Chain& chain, const Task& task) {
     goal.tolerance = settings.tolerance;
     goal.max_iterations = settings.max_iterations;
     goal.limits = task.limits;
+    pose_.keep_volume(settings.volume);
     AimReport report = aim_.turn(pose_, goal);
 
     const double stretch = stretch_of(report, settings.stretch);
@@ -54,7 +80,7 @@ AimReport Solution::solve(const ChainPlan::Chain& chain, const Task& task) {
     }
     take_pose();
     is_stretched_ = rest != 1.0 || stretch != 1.0;
-    if (is_stretched_) stretch_bones(rest, stretch);
+    if (is_stretched_) stretch_bones(rest, stretch, settings.volume);
     return report;
 }
 
@@ -136,7 +162,7 @@ void Solution::reach_tail(const glm::dquat& frame, AimGoal goal, AimReport& repo
     report.iterations = iterations;
 }
 
-void Solution::stretch_bones(double rest, double last_stretch) {
+void Solution::stretch_bones(double rest, double last_stretch, double volume) {
     const std::size_t last = pose_.size() - 1;
     std::copy(pose_.joints().begin(), pose_.joints().end(), joints_.begin());
     for (std::size_t i = 0; i <= last; ++i) {
@@ -145,11 +171,8 @@ void Solution::stretch_bones(double rest, double last_stretch) {
         // Stretch that the bone inherits counts as its own: only the missing part is added.
         const glm::dvec3 link = factor * (joints_[i + 1] - joints_[i]);
         const glm::dvec3 wanted = inverse_axes(pose_.posed(i).space.axes) * link;
-        glm::dvec3 reach = pose_.reach_of(i, 1.0);
-        const double along = glm::dot(wanted, wanted) - reach.x * reach.x - reach.z * reach.z;
-        double own = 1.0;
-        if (along > 0.0 && reach.y != 0.0) own = std::clamp(std::sqrt(along) / std::abs(reach.y), 1e-3, 1e6);
-        reach.y *= own;
+        const double own = own_stretch(glm::dot(wanted, wanted), pose_.reach_of(i, 1.0), volume);
+        const glm::dvec3 reach = pose_.reach_of(i, own);
         stretches_[i] = own;
         if (i == last && turns_tail_) {
             rotations_[i] = pose_.rotation_for(i, tail_frame_);

@@ -50,7 +50,7 @@ class Solution {
     void turn_tail(const Task& task, AimGoal goal, AimReport& report, double stretch);
     void reach_tail(const glm::dquat& frame, AimGoal goal, AimReport& report, double stretch);
     void take_pose();
-    void stretch_bones(double rest, double last_stretch);
+    void stretch_bones(double rest, double last_stretch, double volume);
     void pose_weighted(const Task& task, bool is_stretched);
     void write_guards(std::span<const AnimatedBone> rows, const ChainPlan::Chain& chain,
                       const ChainOutput& output) const;

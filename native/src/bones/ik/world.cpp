@@ -8,7 +8,7 @@
 namespace motus::bones::ik {
 
 bool has_finite_numbers(const ChainSettings& s) {
-    return are_finite(s.position_weight, s.rotation_weight, s.softness, s.stretch, s.pole_angle,
+    return are_finite(s.position_weight, s.rotation_weight, s.softness, s.stretch, s.volume, s.pole_angle,
                       s.hinge_angle, s.tolerance);
 }
 
@@ -21,6 +21,7 @@ ChainSettings within_domains(ChainSettings settings) {
     settings.rotation_weight = std::clamp(settings.rotation_weight, 0.0, 1.0);
     settings.softness = std::clamp(settings.softness, 0.0, 1.0);
     settings.stretch = std::clamp(settings.stretch, 0.0, 1.0);
+    settings.volume = std::clamp(settings.volume, 0.0, 1.0);
     settings.tolerance = std::clamp(settings.tolerance, 1e-15, 1.0);
     settings.max_iterations = std::clamp(settings.max_iterations, 0, 1'000'000);
     return settings;

@@ -45,6 +45,10 @@ bool has_finite_numbers(const GazeTarget& target) {
     return is_finite(target.place) && std::isfinite(target.weight);
 }
 
+double share(double weight) {
+    return std::clamp(weight, 0.0, 1.0);
+}
+
 double weight_of(double weight) {
     return std::max(weight, 0.0);
 }
@@ -88,7 +92,8 @@ class GazePlan::Solver {
 
         GazeBone head = turn_body(animated, from);
         if (!turn_head(head, from)) return std::nullopt;
-        if (settings_.eyes_weight > 0.0 && !turn_eyes(animated, head)) return std::nullopt;
+        const bool eyes_turn = settings_.eyes_weight > 0.0 || input_.eyes_beside != glm::dvec2(0.0);
+        if (eyes_turn && !turn_eyes(animated, head)) return std::nullopt;
         if (report_.angle > reached_angle && is_limited_) report_.reason = Reason::limit;
         return report_;
     }
@@ -191,12 +196,31 @@ class GazePlan::Solver {
             const std::optional<glm::dvec3> from = animated.gaze(*forward);
             const std::optional<glm::dvec3> direction = wanted(eye.place());
             if (!from || !eye.gaze(*forward) || !direction) continue;
-            const double angle = turn(eye, last, *forward, *direction, chart_->place(*from),
-                                      {settings_.eyes_weight, settings_.eyes_limit, settings_.eyes_sides});
+            const GazePart part{settings_.eyes_weight, settings_.eyes_limit, settings_.eyes_sides};
+            const double angle =
+                input_.eyes_beside == glm::dvec2(0.0)
+                    ? turn(eye, last, *forward, *direction, chart_->place(*from), part)
+                    : turn_beside(eye, last, *forward, *direction, chart_->place(*from), part);
             worst = std::max(worst.value_or(0.0), angle);
         }
-        report_.angle = worst.value_or(report_.angle);
+        if (settings_.eyes_weight > 0.0) report_.angle = worst.value_or(report_.angle);
         return true;
+    }
+
+    /// Turns an eye beside what it turns to; returns the angle that would be left to the target otherwise.
+    double turn_beside(GazeBone& eye, const Link& link, const glm::dvec3& axis, const glm::dvec3& direction,
+                       const glm::dvec2& animated, const GazePart& part) {
+        const glm::dvec2 present = chart_->place(*eye.gaze(axis));
+        const glm::dvec2 target = chart_->place(direction);
+        const glm::dvec2 goal = gaze_goal(animated, target, settings_).by;
+        // The share and what comes beside it are limited together, so that the sum begins at the share
+        // itself.
+        const glm::dvec2 beside =
+            present + share(part.weight) * (goal - present) + share(settings_.weight) * input_.eyes_beside;
+        const glm::dvec2 by = gaze_share(present, {beside, false}, target, {1.0, part.limit, part.sides}).by;
+        if (by != glm::dvec2(0.0)) write(link, eye.turn(chart_->turn(present, present + by), axis));
+        const glm::dvec2 without = step(direction, animated, present, part).by;
+        return angle_between(chart_->direction(present + without), direction);
     }
 
     /// Turns the head or an eye; returns the angle that is left to the target.
@@ -311,6 +335,7 @@ void GazePlan::solve(const RigView& rig, const glm::dmat4& world, std::span<cons
         input.target = glm::dvec3(to_rig * glm::dvec4(input.target, 1.0));
         if (!has_finite_numbers(input.settings) ||
             !has_finite_numbers(GazeTarget{input.target, input.target_weight}) ||
+            !is_finite(input.eyes_beside) ||
             !std::ranges::all_of(input.further,
                                  [](const GazeTarget& one) { return has_finite_numbers(one); }) ||
             !head_forward || !up)

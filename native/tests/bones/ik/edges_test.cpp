@@ -288,8 +288,8 @@ TEST_CASE("each setting that is not finite, and limits that leave nothing, make 
           "[rig_ik]") {
     constexpr double ChainSettings::*settings[] = {
         &ChainSettings::position_weight, &ChainSettings::rotation_weight, &ChainSettings::softness,
-        &ChainSettings::stretch,         &ChainSettings::pole_angle,      &ChainSettings::hinge_angle,
-        &ChainSettings::tolerance};
+        &ChainSettings::stretch,         &ChainSettings::volume,          &ChainSettings::pole_angle,
+        &ChainSettings::hinge_angle,     &ChainSettings::tolerance};
     constexpr double infinite = std::numeric_limits<double>::infinity();
     for (double ChainSettings::*const setting : settings) {
         for (const double value : {not_a_number, infinite, -infinite}) {

@@ -135,6 +135,60 @@ TEST_CASE("stretch takes the tip to the target, and guards know nothing of it", 
     }
 }
 
+TEST_CASE("stretched bones keep their volume as far as they are told", "[rig_ik]") {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        for (const InheritScale mode : modes) {
+            for (const double softness : {0.0, 0.15}) {
+                RandomRig random(seed);
+                Solve solve;
+                const int bones = 1 + static_cast<int>(seed % 3);
+                const Limb limb = add_limb(solve.rig, random, bones, 1.0, random.place(), mode);
+                solve.add_chain({limb.bones, limb.bones.back()}, glm::dvec3(0.0), exact());
+                solve.settings[0].softness = softness;
+                const glm::dvec3 target = root_of(solve, 0) + 1.6 * length_of(solve, 0) * random.direction();
+                solve.targets[0] = transform(target, random.rotation());
+                solve.run();
+                const std::vector<glm::dmat4> plain = solve.chain_poses(0);
+                solve.settings[0].stretch = 1.0;
+                INFO("seed " << seed << ", mode " << static_cast<int>(mode) << ", softness " << softness);
+                for (const double volume : {0.5, 1.0}) {
+                    solve.settings[0].volume = volume;
+                    solve.run();
+                    CHECK(solve.miss(0) < 1e-8);
+                    CHECK(solve.report[0].residual == Approx(solve.miss(0)).margin(1e-11));
+                    for (const glm::dvec3& scale : solve.scales) {
+                        CHECK(scale.x == scale.z);
+                        CHECK(scale.x * scale.z == Approx(std::pow(scale.y, -volume)).epsilon(1e-12));
+                    }
+                }
+                CHECK(solve.scales[0].y > 1.2);
+                const bool is_plain = mode == InheritScale::full || mode == InheritScale::none;
+                const std::vector<glm::dmat4> stretched = solve.chain_poses(0);
+                for (std::size_t i = 0; is_plain && i < stretched.size(); ++i) {
+                    const double before = glm::determinant(glm::dmat3(plain[i]));
+                    CHECK(glm::determinant(glm::dmat3(stretched[i])) == Approx(before).epsilon(1e-6));
+                }
+                // Half of the weight, half of the stretch, and across by the same formula.
+                const double whole = solve.scales[0].y;
+                solve.settings[0].position_weight = 0.5;
+                solve.run();
+                CHECK(solve.scales[0].y == Approx(0.5 * (1.0 + whole)).epsilon(1e-12));
+                CHECK(solve.scales[0].x == Approx(1.0 / std::sqrt(solve.scales[0].y)).epsilon(1e-12));
+            }
+        }
+    }
+}
+
+TEST_CASE("without stretch there is no volume to keep", "[rig_ik]") {
+    Solve solve = sample(3, 3, true, 0.7);
+    solve.run();
+    const std::vector<glm::dquat> rotations = solve.rotations;
+    solve.settings[0].volume = 1.0;
+    solve.run();
+    CHECK(solve.rotations == rotations);
+    for (const glm::dvec3& scale : solve.scales) CHECK(scale == glm::dvec3(1.0));
+}
+
 TEST_CASE("a guarded hand takes the target's orientation in pose space", "[rig_ik]") {
     Solve solve = sample(2, 2, false, 1.3);
     solve.guards.push_back({solve.chains[0].effector, 0});

@@ -103,7 +103,8 @@ class Solver:
         self._pose_slots = self._box[layout.base :]
         self._drives_properties = property_sink.KEY in carrier
         self._notes = property_sink.checked(carrier, self._slots)
-        self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
+        reads_keys = system.reads_keys(settings) if callable(system.reads_keys) else system.reads_keys
+        self._reading = read_keys.reading_of(carrier, system.name) if reads_keys or self._drives_properties else None
         # Owners without outputs and driven properties need not be wired again if their settings become animated.
         self._counts = bool(system.outputs) or self._drives_properties
         self._watches_drivers = traits.watches_drivers(system)

@@ -46,9 +46,11 @@ struct ChainSettings {
     double rotation_weight = 0.0;  ///< 0 to 1, between the effector's orientation and the target's
     double softness = 0.0;         ///< see soft_reach(); fraction of the chain's length
     double stretch = 0.0;          ///< 0 to 1, share of the missing length that the bones stretch by
-    double pole_angle = 0.0;       ///< rad, about the line from root to target
-    int bend = 1;                  ///< 1: towards the pole; -1: away from it
-    double hinge_angle = 0.0;      ///< rad; the axis that a straight chain bends about is the first bone's X,
+    double volume = 0.0;       ///< 0 to 1, share of its volume that a bone stretched by s keeps: across it is
+                               ///< scaled by s^(-volume / 2), 1 / sqrt(s) if it keeps it whole
+    double pole_angle = 0.0;   ///< rad, about the line from root to target
+    int bend = 1;              ///< 1: towards the pole; -1: away from it
+    double hinge_angle = 0.0;  ///< rad; the axis that a straight chain bends about is the first bone's X,
                                ///< turned by this about its Y. Two bones whose FK pose bends by less than 8
                                ///< degrees about another axis keep that axis while they are as straight, even
                                ///< with a pole, so that match() is exact. From three times that bend on they

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -47,13 +48,16 @@ struct GazeInput {
     std::span<const glm::dvec3> eyes_forward;  ///< axis of each eye bone that points where the eye looks, in
                                                ///< the order of GazeBones::eyes
     glm::dvec3 up{0.0, 0.0, 1.0};  ///< the rig's upward direction at rest, armature space; not zero
+    /// How far beside the direction that they turn to the eyes look, rad to the left and up, within their
+    /// limits; times GazeSettings::weight, whatever eyes_weight is.
+    glm::dvec2 eyes_beside{0.0};
     bool is_on = true;
 };
 
 /// How well a head meets its target. Angles in the rig's space, rad.
 struct GazeDiagnostics {
-    double angle =
-        0.0;  ///< between gaze and target: of the eyes (the worse) if they have weight, else of the head
+    double angle = 0.0;  ///< between gaze and target: of the eyes (the worse) if they have weight, else of
+                         ///< the head; without GazeInput::eyes_beside
     std::optional<Reason> reason =
         Reason::reached;  ///< limit: clamp or a limit keeps the gaze off; reached: nothing but
                           ///< weights does. None: input not finite, or a bone of no size
