@@ -81,7 +81,7 @@ def _render_welded(file):
             mirror=set(),
             weld=weld,
         )
-        stage.add_text(name, ball.location + Vector((0.0, -0.4, -1.35)), 0.22)
+        stage.add_text(name, ball.location + Vector((0.0, -0.4, -1.22)), 0.22)
     stage.add_camera(scene, (0.0, -9.0, 2.2), (0.0, 0.0, 0.0), width=6.4)
     return stage.render(scene, file, (1280, 560), samples=64)
 

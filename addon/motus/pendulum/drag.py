@@ -49,7 +49,7 @@ class Held:
         local = self._world.inverted_safe() @ place
         goal = Vector((local.x, 0.0, local.z))
         if self._swing.is_spherical:
-            self._settings.heading, self._settings.velocity_sideways = math.atan2(local.y, local.x), 0.0  # type: ignore[misc]
+            self._settings.heading, self._settings.velocity_sideways = math.atan2(local.y, local.x), 0.0
             goal.x = math.hypot(local.x, local.y)
         found = self._bent(goal) if self._each == 2 else (build.angle_of(goal),)
         self._settings.angle1 = found[0]
