@@ -24,16 +24,16 @@ class DeformTest(support.SceneTestCase):
         """World positions by the library, from the mesh as modelled."""
         pulling, shapes = support.addon("lattice.pulling"), cases.shapes()
         matrix = np.array(self.lattice.matrix_world, np.float64)
-        native, _ = pulling._native_lattice(self.lattice.data, matrix)
+        native, _ = pulling.native_lattice(self.lattice.data, matrix)
         rest, now = (shapes.lattice_points(self.lattice.data, name).astype(np.float64) for name in ("co", "co_deform"))
         np.testing.assert_allclose(native.rest_points(), shapes.in_world(rest, matrix), atol=1e-5)
         positions = shapes.in_world(shapes.positions(self.mesh.data), self.mesh.matrix_world)
         influence = np.full(len(positions), self.modifier.strength)
         group = self.mesh.vertex_groups.get(self.modifier.vertex_group)
         if group:
-            weights = np.array([pulling._weight(vertex, group.index) for vertex in self.mesh.data.vertices])
+            weights = np.array([pulling.weight(vertex, group.index) for vertex in self.mesh.data.vertices])
             influence *= 1.0 - weights if self.modifier.invert_vertex_group else weights
-        return native.deform(positions, (now - rest) @ matrix[:3, :3].T, influence, pulling._point_weights(self.lattice))
+        return native.deform(positions, (now - rest) @ matrix[:3, :3].T, influence, pulling.point_weights(self.lattice))
 
     def assert_same(self):
         bpy.context.view_layer.update()

@@ -19,9 +19,10 @@ class LatticePageTest(support.SceneTestCase):
         (scripted,) = [code for code in self.examples() if "bpy.ops.motus" in code]
         seen = []
         exec(compile(scripted, "lattice.md", "exec"), {"print": lambda *values: seen.append(values)})
-        ((top, side),) = seen
+        (top, side), (value,) = seen
         self.assertAlmostEqual(top, 1.5, delta=0.1)
         self.assertAlmostEqual(side, 1.4, delta=0.05)
+        self.assertEqual(value, 1.0)
         (ball,) = bpy.data.objects
         self.assertFalse(ball.modifiers)
 

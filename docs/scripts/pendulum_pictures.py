@@ -8,6 +8,9 @@ from mathutils import Vector
 
 import stage
 
+# Angle, sideways velocity and damping of each spherical pendulum, and the seconds of its way that are shown.
+SPHERICAL = ((0.9, 0.6, 0.0, 16.0), (0.7, 3.0, 0.12, 14.0), (0.6, 2.03, 0.0, 2.2))
+
 SKY = (0.80, 0.85, 0.92)
 TRAIL = (0.85, 0.20, 0.05, 1.0)
 
@@ -15,7 +18,11 @@ TRAIL = (0.85, 0.20, 0.05, 1.0)
 def render_all(folder):
     """Render every picture into `folder`; returns the files."""
     folder.mkdir(exist_ok=True)
-    return [_render_double(folder / "pendulum_double.png"), _render_fan(folder / "pendulum_fan.png")]
+    return [
+        _render_double(folder / "pendulum_double.png"),
+        _render_fan(folder / "pendulum_fan.png"),
+        _render_spherical(folder / "pendulum_spherical.png"),
+    ]
 
 
 def _scene():
@@ -72,3 +79,21 @@ def _render_fan(file):
         stage.add_text(f"{seconds:.0f} s", Vector((x, -0.3, -2.75)), 0.34)
     stage.add_camera(scene, (0.0, -16.0, -0.2), (0.0, 0.0, -0.3), width=14.6)
     return stage.render(scene, file, (1280, 470), samples=48)
+
+
+def _render_spherical(file):
+    """Three pendulums that swing to all sides, seen from above, with the ways that their bobs have come."""
+    scene = stage.new_scene(SKY, 0.6)
+    floor = stage.add_floor(stage.glossy_material("Floor", (0.62, 0.66, 0.72, 1.0), 0.95))
+    floor.location.z = -1.35
+    stage.add_sun((math.radians(35), math.radians(-18), math.radians(-25)), 2.2, softness=5.0)
+    trail = stage.glossy_material("Trail", TRAIL, 0.6)
+    for column, (angle, sideways, damping, seconds) in enumerate(SPHERICAL):
+        first = 1.0 - seconds * scene.render.fps
+        settings = {"angle1": angle, "velocity_sideways": sideways, "damping": damping, "start_frame": first}
+        pivot = _add((column - 1) * 2.3, kind='SPHERICAL', hue=0.58, **settings)
+        places = _places(pivot, np.arange(first, 1.01, 0.5))
+        scene.frame_set(1)
+        stage.add_tube(places, 0.012, trail)
+    stage.add_camera(scene, (0.0, -5.0, 9.0), (0.0, 0.0, -0.75), width=6.9)
+    return stage.render(scene, file, (1280, 430), samples=48)

@@ -54,7 +54,48 @@ def render_all(folder):
         _render_falloffs(folder / "pull_falloffs.png"),
         _render_distances(folder / "pull_distances.png"),
         _render_pins(folder / "pull_pins.png"),
+        _render_welded(folder / "pull_welded.png"),
     ]
+
+
+# --- welding ---------------------------------------------------------------------------------------------------------
+
+
+def _render_welded(file):
+    """A ball of loose triangles, pulled along its surface without and with a weld distance."""
+    scene = _new_scene()
+    clay = stage.glossy_material("Clay", CLAY, 0.6)
+    for column, (weld, name) in enumerate(((0.0, "weld distance 0"), (0.001, "1 mm"))):
+        ball = _loose_ball()
+        ball.data.materials.append(clay)
+        ball.location.x = (column - 0.5) * 3.0
+        bpy.context.view_layer.update()
+        bpy.ops.motus.pick_pull(
+            object=ball.name,
+            location=(0.35, -0.65, 0.68),
+            displacement=(0.25, -0.45, 0.5),
+            radius=1.0,
+            unit='LOCAL',
+            falloff='SMOOTH',
+            distance='SURFACE',
+            mirror=set(),
+            weld=weld,
+        )
+        stage.add_text(name, ball.location + Vector((0.0, -0.4, -1.22)), 0.22)
+    stage.add_camera(scene, (0.0, -9.0, 2.2), (0.0, 0.0, 0.0), width=6.4)
+    return stage.render(scene, file, (1280, 560), samples=64)
+
+
+def _loose_ball():
+    """A ball whose triangles have corners of their own, as in a file of a scanner."""
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4, location=(0.0, 0.0, 0.0))
+    whole = bpy.context.object
+    places = [whole.data.vertices[index].co[:] for polygon in whole.data.polygons for index in polygon.vertices]
+    faces = [tuple(range(3 * number, 3 * number + 3)) for number in range(len(whole.data.polygons))]
+    loose = bpy.data.meshes.new("Scan")
+    loose.from_pydata(places, [], faces)
+    whole.data = loose
+    return whole
 
 
 # --- falloffs --------------------------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@ import numpy
 import numpy.typing
 import typing
 __all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'above_floor', 'are_below', 'blink', 'blinks', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'saccades', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'spherical_pendulum', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'weld', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -1772,6 +1773,19 @@ def solve_two_bone(root: numpy.typing.ArrayLike, target: numpy.typing.ArrayLike,
     that coincide are fine: with the target on the root, the elbow is towards the pole.
     Returns a TwoBoneSolution.  Raises ValueError or TypeError that names the argument.
     """
+def spherical_pendulum(times: numpy.typing.ArrayLike, angle: float, heading: float = 0.0, velocity: float = 0.0, across: float = 0.0, length: float = 1.0, gravity: float = 9.81, damping: float = 0.0, pivot_step: float = 0.0, pivot_accelerations: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Direction (x, y, z, of length 1, Z up) from the pivot to the bob of a pendulum that swings to all sides, and its change in
+    a second, at times.
+    
+    times: s, a number or (m,), of any sign and order; each row depends on its own time alone.  angle: at time 0, rad from the
+    downward vertical, towards the heading, rad about the vertical from X to Y.  velocity, across: rad/s, by which the angle
+    grows, and at right angles to that, to the side to which the heading grows.  length: m, > 0.  gravity: m/s^2, >= 0.
+    damping: 1/s, >= 0.  pivot_step, pivot_accelerations: see single_pendulum(), here (k, 3) in space.
+    Returns (6,) or (m, 6). By Gauss's method of order 16, which keeps the angular momentum about the vertical. The same bits
+    by the same compiler.
+    Raises ValueError if a value is not finite or outside its domain, or a time is out of the integration's reach.
+    """
 def step_response(times: numpy.typing.ArrayLike, frequency: float, damping: float, response: float) -> typing.Any:
     """
     Response of a SecondOrder to an input that jumps from 0 to 1 at time 0.
@@ -1819,6 +1833,15 @@ def wave(shape: str, x: numpy.typing.ArrayLike, share: float = 0.5) -> typing.An
     shape: "sine" and "triangle", which are 0 and rise where x is whole; "saw", which rises from -1 to 1; "square", which is
     1, then -1.  x: a number or (m,).  share: fraction of a wave, from 0 to 1, for which a square is 1.
     Returns a float or (m,).  Raises ValueError if a value is not finite or outside its domain, or the shape is unknown.
+    """
+def weld(positions: numpy.typing.ArrayLike, distance: float, metric: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.int32]:
+    """
+    Leaders (v,) int32 of vertices that count as one, such as the corners of a scan's loose triangles.
+    
+    In the order of their indices, vertices without a leader lead themselves, and all vertices without a leader with
+    |metric (p - q)| <= distance, where q is the leader's position. leaders[triangles] are the triangles of the welded mesh.
+    positions: (v, 3) float32.  distance: >= 0.  metric: as in Picker.within().
+    Raises ValueError or TypeError that names the argument.
     """
 def window_violations(x: numpy.typing.ArrayLike, depths: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, tolerance: float = 0.0, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> tuple[float, float]:
     """

@@ -13,6 +13,7 @@
 #include "motus/colour/screen.hpp"
 #include "motus/curve/curve.hpp"
 #include "motus/dynamics/double_pendulum.hpp"
+#include "motus/dynamics/spherical_pendulum.hpp"
 #include "motus/lattice/lattice.hpp"
 #include "motus/mesh/neighbours.hpp"
 #include "motus/mesh/picker.hpp"
@@ -249,6 +250,21 @@ TEST_CASE("double pendulums have the same bits everywhere", "[same_bits]") {
     for (const dynamics::DoublePendulumState& state : states)
         for (const double number : {state.theta1, state.theta2, state.omega1, state.omega2}) bits.add(number);
     CHECK(bits.hash() == 0x06b0611eda9e1dbcU);
+}
+
+TEST_CASE("spherical pendulums have the same bits everywhere", "[same_bits]") {
+    std::vector<double> times;
+    for (int i = 0; i <= 300; ++i) times.push_back(0.2 * i);
+    std::vector<dynamics::SphericalState> states(times.size());
+    dynamics::spherical_pendulum({.length = 1.2, .damping = 0.01},
+                                 {.angle = 2.0, .heading = 0.3, .velocity = 0.5, .across = 1.5}, times,
+                                 states);
+    Bits bits;
+    for (const dynamics::SphericalState& state : states) {
+        bits.add(state.direction);
+        bits.add(state.velocity);
+    }
+    CHECK(bits.hash() == 0x6f09fe0ea6c64627U);
 }
 
 TEST_CASE("strands have the same bits everywhere", "[same_bits]") {

@@ -11,5 +11,5 @@ SYSTEM = Feature(
     settings=properties.MOTUS_PG_lattice,
     classes=(properties.MOTUS_PG_lattice, *operators.classes, *pull_operator.classes, *panel.classes),
     add_menu=("motus.lattice_fit",),
-    object_menu=("motus.lattice_fit", "motus.lattice_pull", "motus.lattice_remove"),
+    object_menu=("motus.lattice_fit", "motus.lattice_pull", "motus.lattice_rest", "motus.lattice_keep", "motus.lattice_remove"),
 )

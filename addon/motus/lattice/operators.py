@@ -6,7 +6,7 @@ from ..core.interface.operators import OBJECT_MODE, OBJECT_OR_EDIT_MODE, Operato
 from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_finite, named
 from ..core.translations import tr
-from . import fitting, pulling, removal, targets
+from . import fitting, pulling, removal, resting, shape_keys, targets
 from .properties import FitKeywords
 
 KEYWORDS = tuple(FitKeywords.__annotations__)
@@ -144,4 +144,76 @@ class MOTUS_OT_lattice_reset(Operator, bpy.types.Operator):
         removal.reset(lattice)
 
 
-classes = (MOTUS_OT_lattice_fit, MOTUS_OT_lattice_remove, MOTUS_OT_lattice_reset)
+class MOTUS_OT_lattice_keep(Operator, bpy.types.Operator):
+    bl_idname = "motus.lattice_keep"
+    bl_label = "Keep as Shape Key"
+    bl_description = "Keep the deformation of this frame as a shape key of the mesh, whose value can be keyed; the lattice stays"
+
+    object: object_keyword("Name of the object that the lattice deforms, or of the lattice; empty takes the active one")
+    modifier: bpy.props.StringProperty(
+        name="Modifier", description="Name of the lattice's modifier; empty takes the last lattice modifier", options={'SKIP_SAVE'}
+    )
+    name: bpy.props.StringProperty(name="Name", description="Name of the shape key; empty takes the lattice's name", options={'SKIP_SAVE'})
+    use_reset: bpy.props.BoolProperty(
+        name="Reset Lattice", description="Move the lattice's points back to rest, and let the shape key take their place", default=True
+    )
+
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows(("name", "use_reset")),)
+
+    @classmethod
+    def check_offer(cls, context):
+        shape_keys.check(*shape_keys.uses_of(context, "", ""))
+
+    def run(self, context):
+        lattice, uses = shape_keys.uses_of(context, self.object, self.modifier)
+        shape_keys.check(lattice, uses)
+        if self.use_reset:
+            pulling.check_pullable(lattice)
+        keys = shape_keys.keep(context, uses, self.name or lattice.name, 1.0 if self.use_reset else 0.0)
+        if self.use_reset:
+            removal.reset(lattice)
+        self.name = self.name or lattice.name
+        names = ", ".join(obj.name for obj, _ in uses)
+        self.report({'INFO'}, tr("{objects}: shape key {key}").format(objects=names, key=keys[0].name))
+
+
+class MOTUS_OT_lattice_rest(Operator, bpy.types.Operator):
+    bl_idname = "motus.lattice_rest"
+    bl_label = "Take as Rest"
+    bl_description = "Let the lattice's points, as they stand, deform nothing: a lattice is shaped by hand around what it is to deform"
+
+    object: object_keyword("Name of the object that the lattice deforms, or of the lattice; empty takes the active one")
+    modifier: bpy.props.StringProperty(
+        name="Modifier", description="Name of the lattice's modifier; empty takes the last lattice modifier", options={'SKIP_SAVE'}
+    )
+    use_regular: bpy.props.BoolProperty(
+        name="Regular", description="Take the regular grid as the rest again, and put the points there", options={'SKIP_SAVE'}
+    )
+
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows(("use_regular",)),)
+
+    @classmethod
+    def check_offer(cls, context):
+        _check_resting(*shape_keys.uses_of(context, "", ""))
+
+    def run(self, context):
+        lattice, uses = shape_keys.uses_of(context, self.object, self.modifier)
+        _check_resting(lattice, uses)
+        context.view_layer.update()
+        if self.use_regular:
+            resting.clear(lattice, uses)
+        else:
+            resting.make(lattice, uses)
+
+
+def _check_resting(lattice, uses):
+    pulling.check_pullable(lattice)
+    shape_keys.check_meshes(uses)
+    shape_keys.check_first(uses)
+
+
+classes = (MOTUS_OT_lattice_fit, MOTUS_OT_lattice_remove, MOTUS_OT_lattice_reset, MOTUS_OT_lattice_keep, MOTUS_OT_lattice_rest)

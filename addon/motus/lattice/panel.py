@@ -2,7 +2,7 @@
 
 from ..core.interface import panels, ui
 from ..core.translations import tr
-from . import removal, targets
+from . import removal, resting, targets
 
 
 class ObjectProperties:
@@ -48,6 +48,10 @@ def _draw_modifier(layout, obj, modifier):
     pull = column.operator("motus.lattice_pull", icon='VIEW_PAN')
     pull.object, pull.modifier = obj.name, modifier.name
     column.operator("motus.lattice_reset", icon='LOOP_BACK').object = modifier.object.name
+    if obj.type == 'MESH':
+        _draw_rest(column, modifier.object, obj.name, modifier.name)
+        keep = column.operator("motus.lattice_keep", icon='SHAPEKEY_DATA')
+        keep.object, keep.modifier = obj.name, modifier.name
     if removal.fitted(modifier):
         apply = column.operator("motus.lattice_remove", text="Apply", icon='CHECKMARK')
         apply.objects, apply.modifier, apply.use_apply = obj.name, modifier.name, True
@@ -66,8 +70,21 @@ def _draw_lattice(layout, obj):
     column = layout.column(align=True)
     column.operator("motus.lattice_pull", icon='VIEW_PAN').object = obj.name
     column.operator("motus.lattice_reset", icon='LOOP_BACK').object = obj.name
+    _draw_rest(column, obj, obj.name)
+    column.operator("motus.lattice_keep", icon='SHAPEKEY_DATA').object = obj.name
     if obj.motus.lattice.is_fitted:
         column.operator("motus.lattice_remove", icon='X').objects = obj.name
+
+
+def _draw_rest(column, lattice, name, modifier=""):
+    """Draw the buttons that make the lattice's points its rest, and that take the regular rest again."""
+    row = column.row(align=True)
+    buttons = [row.operator("motus.lattice_rest", icon='MESH_GRID')]
+    if resting.is_made(lattice):
+        buttons.append(row.operator("motus.lattice_rest", text="Regular Rest", icon='X'))
+        buttons[-1].use_regular = True
+    for button in buttons:
+        button.object, button.modifier = name, modifier
 
 
 def _draw_points(layout, data):

@@ -8,9 +8,9 @@ from ..core.interface.dragging.drag import PointDrag
 from ..core.interface.operators import OBJECT_MODE, Operator
 from ..core.interface.rows import Row, Rows, is_given
 from ..core.interface.ui import length
-from ..core.refusals import Refused, check_finite, named
+from ..core.refusals import Refused, check_finite
 from ..core.translations import tr
-from . import picking, pulling, removal
+from . import picking, pulling, removal, targets
 
 REACHED = 1e-3
 """Share of the displacement: a point that ends nearer to its goal counts as brought there."""
@@ -18,9 +18,7 @@ REACHED = 1e-3
 
 def _objects(context, name=""):
     """Objects that are deformed by the lattice that the operator pulls."""
-    obj = named(name) if name else context.object
-    if obj is None:
-        raise Refused(tr("Select an object that a lattice deforms"))
+    obj = targets.named_or_active(context, name)
     if obj.type != 'LATTICE' or any(one.type == 'LATTICE' for one in obj.modifiers):
         return [obj]
     found = [one for one in removal.deformed_by(obj) if one.visible_get(view_layer=context.view_layer)]

@@ -76,7 +76,7 @@ class Shape:
         group = self.object.vertex_groups.get(self.modifier.vertex_group) if self.object.type == 'MESH' else None
         if group:
             with shapes.evaluated_mesh(self.object, self._context.view_layer.depsgraph) as mesh:
-                weights = np.array([_weight(mesh.vertices[vertex], group.index) for vertex in vertices])
+                weights = np.array([weight(mesh.vertices[vertex], group.index) for vertex in vertices])
             result *= 1.0 - weights if self.modifier.invert_vertex_group else weights
         return result
 
@@ -93,7 +93,7 @@ def _muted(context, modifier):
         context.view_layer.update()
 
 
-def _weight(point, group):
+def weight(point, group):
     """Weight of a vertex, or of a lattice point, in the vertex group of this index."""
     return next((entry.weight for entry in point.groups if entry.group == group), 0.0)
 
@@ -111,9 +111,9 @@ class Held:
         check_pullable(lattice)
         self._context, self._object, self._lattice, self._corners = context, shape.object, lattice, corners
         self._matrix = np.array(lattice.evaluated_get(context.view_layer.depsgraph).matrix_world, np.float64)
-        self._native, self._middle = _native_lattice(lattice.data, self._matrix)
+        self._native, self._middle = native_lattice(lattice.data, self._matrix)
         self._start = shapes.lattice_points(lattice.data)
-        self._weights = _point_weights(lattice)
+        self._weights = point_weights(lattice)
         parts = [(0, vertex, share) for vertex, share in corners]
         parts += [(1 + index, vertex, 1.0) for index, vertex in enumerate(held)]
         self._count = 1 + len(held)
@@ -206,7 +206,7 @@ class Held:
         self._write(self._start)
 
 
-def _native_lattice(data, matrix):
+def native_lattice(data, matrix):
     """Native Lattice in world space, and its middle."""
     rest = shapes.lattice_points(data, "co").astype(np.float64)
     resolution = [getattr(data, f"points_{axis}") for axis in "uvw"]
@@ -216,9 +216,9 @@ def _native_lattice(data, matrix):
     return native.module.Lattice(origin, (matrix[:3, :3] * extent).T, resolution, basis), middle
 
 
-def _point_weights(lattice):
+def point_weights(lattice):
     """Weights of the lattice's own vertex group; None if the lattice has no vertex group."""
     group = lattice.vertex_groups.get(lattice.data.vertex_group)
     if group is None:
         return None
-    return np.array([_weight(point, group.index) for point in lattice.data.points], np.float32)
+    return np.array([weight(point, group.index) for point in lattice.data.points], np.float32)

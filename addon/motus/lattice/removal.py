@@ -4,7 +4,7 @@ import bpy
 
 from ..core.refusals import Refused, check_local
 from ..core.translations import tr
-from . import shapes
+from . import resting, shapes
 
 KEEP_SHAPES = {'NORMAL_EDIT', 'UV_PROJECT', 'UV_WARP', 'WEIGHTED_NORMAL'}
 """Types of modifiers that give the same result if the deformation is applied before them."""
@@ -51,20 +51,30 @@ def check_removable(uses, is_applied):
 def _check_applicable(obj, name):
     if obj.type == 'FONT':
         raise Refused(tr("{object} is a text, to which nothing can be applied: convert it to a mesh first").format(object=obj.name))
+    check_own_shape(obj)
+    if getattr(obj.data, "shape_keys", None):
+        raise Refused(tr("{object} has shape keys, to which nothing can be applied").format(object=obj.name))
+    check_shown(obj, name)
+
+
+def check_own_shape(obj):
+    """Refuse an object whose shape is linked or shared, so that it must not be changed."""
     if obj.data.library:
         raise Refused(tr("The shape of {object} is linked from another file: make it local first").format(object=obj.name))
     if obj.data.users > 1:
         raise Refused(tr("{object} shares its shape with other objects: make it a single user first").format(object=obj.name))
-    if getattr(obj.data, "shape_keys", None):
-        raise Refused(tr("{object} has shape keys, to which nothing can be applied").format(object=obj.name))
+
+
+def check_shown(obj, name):
+    """Refuse an object whose modifier of this name is switched off."""
     if not obj.modifiers[name].show_viewport:
         raise Refused(tr("The modifier {modifier} of {object} is switched off in the viewport").format(modifier=name, object=obj.name))
 
 
 def _check_first(obj, name, applied):
     """Refuse to apply a modifier behind one that changes the shape and is not applied: an applied modifier acts before all others."""
-    for other in obj.modifiers[: obj.modifiers.find(name)]:
-        if other.name not in applied and other.type not in KEEP_SHAPES and (other.show_viewport or other.show_render):
+    for other in acting_before(obj, name):
+        if other.name not in applied:
             raise Refused(
                 tr(
                     "{other} of {object} acts before {modifier}, and would act on the applied shape afterwards: apply {other} "
@@ -73,12 +83,20 @@ def _check_first(obj, name, applied):
             )
 
 
+def acting_before(obj, name):
+    """List the modifiers before the one of this name that change the shape."""
+    before = obj.modifiers[: obj.modifiers.find(name)]
+    return [other for other in before if other.type not in KEEP_SHAPES and (other.show_viewport or other.show_render)]
+
+
 def remove(context, uses, is_applied):
     """Remove Lattice modifiers, applying them if asked, and the vertex groups and lattices that nothing else uses."""
     lattices = {obj.modifiers[name].object: None for obj, name in uses}
     for obj, name in uses:
         modifier = obj.modifiers[name]
         group, lattice = modifier.vertex_group, modifier.object
+        if resting.is_made(lattice):
+            resting.release(obj)
         if is_applied:
             _apply(context, obj, name)
         else:
@@ -95,9 +113,12 @@ def _apply(context, obj, name):
         try:
             bpy.ops.object.modifier_apply(modifier=name)
         except RuntimeError as error:
-            raise Refused(
-                tr("{modifier} of {object} cannot be applied: {error}").format(modifier=name, object=obj.name, error=str(error).strip())
-            ) from error
+            raise not_applicable(obj, name, error) from error
+
+
+def not_applicable(obj, name, error):
+    """Return the Refused that reports that Blender cannot apply a modifier. error: what Blender has raised."""
+    return Refused(tr("{modifier} of {object} cannot be applied: {error}").format(modifier=name, object=obj.name, error=str(error).strip()))
 
 
 def _remove_group(obj, name):
@@ -124,4 +145,4 @@ def _remove_lattice(context, lattice, successor):
 
 def reset(lattice):
     """Set a lattice's points back to rest."""
-    shapes.set_lattice_points(lattice.data, shapes.lattice_points(lattice.data, "co"))
+    shapes.set_lattice_points(lattice.data, resting.points(lattice.data))

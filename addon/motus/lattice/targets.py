@@ -27,6 +27,14 @@ def objects_for(context, names):
     return [found for found in selected if found.type in KINDS]
 
 
+def named_or_active(context, name):
+    """Return the object of this name; the active object if the name is empty."""
+    obj = named(name) if name else context.object
+    if obj is None:
+        raise Refused(tr("Select an object that a lattice deforms"))
+    return obj
+
+
 def check_fittable(obj):
     """Refuse an object that no lattice can deform."""
     if obj.type not in KINDS:

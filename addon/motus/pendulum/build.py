@@ -5,7 +5,7 @@ import math
 from typing import NamedTuple
 
 import bpy
-from mathutils import Matrix
+from mathutils import Matrix, Quaternion
 
 from ..core import wiring
 from ..core.blender import actions, datablocks
@@ -14,7 +14,7 @@ from ..core.declare.forgetting import forget
 from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.measures import units
-from . import parts, trail
+from . import directions, parts, trail
 
 PREFIX = "motus.pendulum."
 SIDES, RINGS, SEGMENTS = 16, 16, 32
@@ -49,9 +49,9 @@ def rebuild(pivot):
 
 
 def new_pivot(context, name, place):
-    """Make an empty as a new pivot in the active collection. place: its location."""
+    """Make an empty as a new pivot in the active collection. place: its world matrix."""
     pivot = bpy.data.objects.new(name, None)
-    pivot.location = place
+    pivot.matrix_world = place
     pivot.empty_display_type = 'SPHERE'
     pivot.empty_display_size = 0.05 / units.metres(context.scene)
     context.collection.objects.link(pivot)
@@ -61,7 +61,7 @@ def new_pivot(context, name, place):
 def attach(context, owner, kind, count, keywords, look, bobs=(), has_made_pivot=False):
     """Make a pendulum, or a fan of `count` pendulums, on a pivot.
 
-    owner: the pivot. kind: 'SINGLE' or 'DOUBLE'. keywords: {setting: value}. look: a Look.
+    owner: the pivot. kind: of the settings. keywords: {setting: value}. look: a Look.
     bobs: existing objects that become the bobs; if empty, bobs are made. has_made_pivot: whether the pivot is removed with the pendulum.
     """
     settings = owner.motus.pendulum
@@ -83,6 +83,9 @@ def angle_of(rod):
 
 def end_matrices(settings):
     """List the matrices of the ends of the first pendulum's rods at the start of the motion, in the pivot's space."""
+    if settings.kind == 'SPHERICAL':
+        turn = Quaternion(directions.turn(directions.of_angles(settings.angle1, settings.heading), 1.0))
+        return [turn.to_matrix().to_4x4() @ Matrix.Translation((0.0, 0.0, -settings.length1))]
     matrix = Matrix()
     found, above = [], 0.0
     for length, angle in zip(parts.lengths(settings), (settings.angle1, settings.angle2)):

@@ -11,14 +11,15 @@ from ..core.file.pointers import pointed
 from ..core.interface.dragging.drag import PointDrag
 from ..core.interface.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.interface.rows import Row, Rows, is_given
+from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.refusals import Refused, check_evaluated, check_finite, named
 from ..core.translations import tr
-from . import build, clock, parts, solve, targets
+from . import build, clock, directions, parts, solve, targets
 
 NEAR = 30.0
 """Greatest distance between the mouse and a bob that can be grabbed, in pixels at the interface's normal size."""
-KEPT = ("angle1", "angle2", "velocity1", "velocity2", "start_frame")
+KEPT = ("angle1", "angle2", "heading", "velocity1", "velocity2", "velocity_sideways", "start_frame")
 
 
 class Held:
@@ -31,9 +32,10 @@ class Held:
         self._world = pivot.evaluated_get(depsgraph).matrix_world.copy()
         self._frame = scene_time.present(context.scene)
         self._before = {name: getattr(self._settings, name) for name in KEPT}
-        self._angles = _angles(context, pivot, number)
+        self._swing, self._state = _state(context, pivot, number)
         self._offset = Vector((0.0, end_of(pivot, depsgraph, number, self._world).y, 0.0))
-        self.point = self._world @ (self._offset + _reach(self._settings, self._angles))
+        self._end = _reach(self._settings, self._swing, self._state)
+        self.point = self._world @ (self._offset + self._end)
 
     @property
     def _settings(self):
@@ -46,6 +48,9 @@ class Held:
             return
         local = self._world.inverted_safe() @ place
         goal = Vector((local.x, 0.0, local.z))
+        if self._swing.is_spherical:
+            self._settings.heading, self._settings.velocity_sideways = math.atan2(local.y, local.x), 0.0
+            goal.x = math.hypot(local.x, local.y)
         found = self._bent(goal) if self._each == 2 else (build.angle_of(goal),)
         self._settings.angle1 = found[0]
         if self._each == 2:
@@ -66,9 +71,8 @@ class Held:
 
     def _bent(self, goal):
         lengths = parts.lengths(self._settings)
-        upper, _ = self._angles
         # The joint between the rods stays on its side of the line from the pivot to the end.
-        end, elbow = _reach(self._settings, self._angles), lengths[0] * _direction(upper)
+        end, elbow = self._end, lengths[0] * Vector(directions.of_angles(self._state[0], 0.0))
         side = 1.0 if end.cross(elbow).y >= 0.0 else -1.0
         across = Vector((goal.z, 0.0, -goal.x)) * side
         if across.length == 0.0:
@@ -79,27 +83,20 @@ class Held:
         return build.angle_of(joint), build.angle_of(tip - joint)
 
 
-def _direction(angle):
-    return Vector((math.sin(angle), 0.0, -math.cos(angle)))
+def _reach(settings, swing, state):
+    """Return the position of the end of the last rod in the pivot's space, in a state of the pendulum."""
+    return Vector(directions.ends(swing, np.array([state]), parts.lengths(settings))[0])
 
 
-def _reach(settings, angles):
-    """Return the position of the end of the last rod in the pivot's space, for the `angles` of all rods."""
-    found = Vector()
-    for length, angle in zip(parts.lengths(settings), angles):
-        found = found + length * _direction(angle)
-    return found
-
-
-def _angles(context, pivot, number):
-    """Return the angles of one pendulum's rods at the present frame; refuses a pendulum whose motion cannot be computed."""
+def _state(context, pivot, number):
+    """Return (Swing, state of one pendulum) at the present frame; refuses a pendulum whose motion cannot be computed."""
     settings, scene = pivot.motus.pendulum, context.scene
     swing = solve.swing_of(settings, scene)
     seconds = clock_at(context, pivot).seconds
     if not hasattr(swing, "at"):
         raise Refused(tr(swing.sentence))
     try:
-        return swing.at(seconds)[number][: swing.each]
+        return swing, swing.at(seconds)[number]
     except ValueError:
         raise Refused(tr(solve.unknown(seconds, swing.count).sentence)) from None
 

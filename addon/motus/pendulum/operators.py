@@ -3,13 +3,14 @@
 import math
 
 import bpy
-from mathutils import Vector
+from mathutils import Matrix
 
 from ..core import wiring
 from ..core.blender import actions
 from ..core.file import libraries
+from ..core.interface import placing
 from ..core.interface.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
-from ..core.interface.rows import Row, Rows, is_one_of
+from ..core.interface.rows import Row, Rows, is_not, is_one_of
 from ..core.measures import scene_time, units
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
@@ -19,6 +20,7 @@ from .properties import KEYWORDS, TRAIL_KEYWORDS, PendulumKeywords, TrailKeyword
 ADDED = (
     ('SINGLE', "Single", "One rod with a bob"),
     ('DOUBLE', "Double", "A second rod hangs on the first one's bob"),
+    ('SPHERICAL', "Spherical", "One rod with a bob that swings to all sides"),
     ('FAN', "Fan", "Double pendulums whose lower angles differ a little from one to the next"),
     ('CHAOS', "Demonstration", "A fan, beside it one pendulum alone, and a third one with quite other angles"),
 )
@@ -43,7 +45,7 @@ APART = 1.25
 _has_look = is_one_of("take", 'NEW', 'ACTIVE')
 
 
-class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
+class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, placing.Placed, bpy.types.Operator):
     bl_idname = "motus.pendulum_add"
     bl_label = "Add Pendulum"
     bl_description = "Hang a pendulum, a double pendulum or a fan of them on a pivot"
@@ -86,14 +88,6 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
         description="Names, with commas between, of one or two objects that are the bobs, from the pivot on",
         options={'SKIP_SAVE'},
     )
-    location: bpy.props.FloatVectorProperty(
-        name="Location",
-        description="Location of a new pivot; that of the 3D cursor if it is not given",
-        size=3,
-        subtype='XYZ',
-        unit='LENGTH',
-        options={'SKIP_SAVE'},
-    )
 
     modes = OBJECT_MODE
     needs_native = True
@@ -106,11 +100,12 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
                 Row("bob_radius", when=_has_look),
                 Row("spacing", when=is_one_of("kind", 'FAN', 'CHAOS')),
                 "hue",
-                Row("use_trails", when=is_one_of("kind", 'SINGLE', 'DOUBLE', 'FAN')),
+                Row("use_trails", when=is_not("kind", 'CHAOS')),
             ),
             title="Look",
         ),
         *rows.ALL,
+        placing.rows(when=is_one_of("take", 'NEW')),
     )
 
     def run(self, context):
@@ -141,31 +136,31 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
             targets.check_bobs(bobs)
             context.view_layer.update()
             kind = self._kind_of(bobs)
-            keywords |= targets.measured(pivot, bobs)
+            keywords |= targets.measured(pivot, bobs, kind == 'SPHERICAL')
         count = self.count if kind == 'FAN' else 1
         build.attach(context, pivot, _rods_of(kind), count, keywords, self._look(context), bobs)
         return [pivot]
 
     def _kind_of(self, bobs):
-        """Return 'SINGLE' or 'DOUBLE' by the number of bobs; refuses a different kind that was given together with the bobs."""
-        kind = 'SINGLE' if len(bobs) == 1 else 'DOUBLE'
+        """Return 'DOUBLE' for two bobs, else 'SINGLE' or 'SPHERICAL'; refuses a different kind that was given together with the bobs."""
+        kind = 'DOUBLE' if len(bobs) == 2 else 'SPHERICAL' if self.kind == 'SPHERICAL' else 'SINGLE'
         # If the bobs are the selected objects, a given kind is ignored, because an earlier call may have left it.
         if self.bobs and self.is_given("kind") and self.kind != kind:
             raise Refused(tr("A single pendulum has one placed bob, a double one two, and a fan none"))
         return kind
 
     def _add_new(self, context, keywords):
-        place = Vector(self.location) if self.is_given("location") else context.scene.cursor.location.copy()
+        place = self.place(context)
         if self.kind != 'CHAOS':
             count = self.count if self.kind == 'FAN' else 1
             return [self._hang(context, tr("Pendulum"), place, self.kind, count, keywords)]
         lengths = (keywords.get(name, getattr(self, name)) for name in ("length1", "length2"))
-        along = Vector((APART * 2.0 * sum(lengths), 0.0, 0.0))
+        along = Matrix.Translation((APART * 2.0 * sum(lengths), 0.0, 0.0))
         other = dict(zip(("angle1", "angle2"), OTHER_ANGLES))
         return [
             self._hang(context, tr("Fan"), place, 'DOUBLE', self.count, keywords),
-            self._hang(context, tr("Alone"), place + along, 'DOUBLE', 1, keywords),
-            self._hang(context, tr("Other Angles"), place + 2.0 * along, 'DOUBLE', 1, keywords | other, 0.6),
+            self._hang(context, tr("Alone"), place @ along, 'DOUBLE', 1, keywords),
+            self._hang(context, tr("Other Angles"), place @ along @ along, 'DOUBLE', 1, keywords | other, 0.6),
         ]
 
     def _hang(self, context, name, place, kind, count, keywords, hue=0.0):
@@ -183,7 +178,7 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
     def _checked(self, context):
         """Return the operator's keywords, completed by defaults from the scene; refuses values with which no pendulum can be made."""
         keywords = self.given(KEYWORDS)
-        check_finite(self, (*KEYWORDS, "rod_radius", "bob_radius", "spacing", "hue", "location"))
+        check_finite(self, (*KEYWORDS, "rod_radius", "bob_radius", "spacing", "hue"))
         positive = ("length1", "length2", "mass1", "mass2", "most_velocity", "most_acceleration")
         for name in positive:
             if not getattr(self, name) > 0.0:
@@ -203,7 +198,7 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
 
 
 def _rods_of(kind):
-    return 'SINGLE' if kind == 'SINGLE' else 'DOUBLE'
+    return kind if kind in {'SINGLE', 'SPHERICAL'} else 'DOUBLE'
 
 
 class MOTUS_OT_pendulum_remove(Operator, bpy.types.Operator):

@@ -13,7 +13,10 @@ from ..core.measures import scene_time
 from ..core.refusals import INFINITE
 from ..core.tracks import own_track, rotations
 from ..core.tracks.solved import turned
-from . import clock, parts, pivot_motion, solve
+from . import clock, directions, parts, pivot_motion, solve
+
+AT_REST = 0.0, 0.0, -1.0, 0.0, 0.0, 0.0
+"""State of a spherical pendulum that hangs at rest."""
 
 
 def over_time(owner, thing, scene):
@@ -50,28 +53,36 @@ class OverTime:
 
     def applied(self, times, matrices):
         """World matrices (n, 4, 4) of the rod with its swing, from `matrices` without the swing, at times (n,) of the scene."""
-        turns = np.zeros((len(times), 3))
-        turns[:, 1] = -self._channels["influence"].values(times) * self._angles(times)
         scales = own_track(self._rod).values(times).scales
-        return turned(matrices, rotations.of_mode(turns, 'XYZ'), scales)
+        return turned(matrices, self._turns(times), scales)
 
-    def _angles(self, times):
-        """Return the angles (n,) of the rod relative to the rod above it, at times (n,); zeros if the pendulum cannot swing."""
+    def _turns(self, times):
+        """Return the quaternions (n, 4) that turn the rod relative to the rod above it, at times (n,)."""
+        influences = self._channels["influence"].values(times)
+        turns = np.zeros((len(times), 3))
         swing = solve.swing_of(self._settings, self._scene)
         if isinstance(swing, Problem) or deleted.is_deleted(self._owner) or not swing.has_rods(self._numbers):
-            return np.zeros(len(times))
+            return rotations.of_mode(turns, 'XYZ')
+        states = self._states(swing, times)
+        if swing.is_spherical:
+            return np.array([directions.turn(state[:3], share) for state, share in zip(states.tolist(), influences.tolist())])
+        rod = self._number % swing.each
+        turns[:, 1] = -influences * (states[:, rod] - (states[:, 0] if rod else 0.0))
+        return rotations.of_mode(turns, 'XYZ')
+
+    def _states(self, swing, times):
+        """Return the states (n, m) of the rod's pendulum at times (n,); those of a pendulum at rest where they are unknown."""
         seconds, rate = self._clock(times)
-        felt = pivot_motion.felt(self._owner, self._scene, rate)[0] if self._pivot else {}
-        fan, rod = divmod(self._number, swing.each)
+        felt = pivot_motion.felt(self._owner, self._scene, rate, swing.is_spherical)[0] if self._pivot else {}
 
         def states(at):
-            return swing.way(at, number=fan, **felt)
+            return swing.way(at, number=self._number // swing.each, **felt)
 
         try:
-            found = states(seconds)
+            return states(seconds)
         except ValueError:  # at some times, too far from the start, the motion is unknown, and there the rods hang as they are placed
-            found = np.concatenate([_known(states, second, 2 * swing.each) for second in seconds])
-        return found[:, rod] - (found[:, 0] if rod else 0.0)
+            rest = np.array([AT_REST if swing.is_spherical else (0.0,) * 2 * swing.each])
+            return np.concatenate([_known(states, second, rest) for second in seconds])
 
     def _clock(self, times):
         """Return (seconds (n,), rate) of the pendulum's own time at times (n,); the rate is None if it changes."""
@@ -125,9 +136,9 @@ class OverTime:
         )
 
 
-def _known(states, second, count):
-    """Return the states of a pendulum at one time, (1, count); zeros if they are unknown. states: function of times (n,)."""
+def _known(states, second, rest):
+    """Return the state of a pendulum at one time, (1, m); `rest` if it is unknown. states: function of times (n,)."""
     try:
-        return states(np.array([second])) if abs(second) < INFINITE else np.zeros((1, count))
+        return states(np.array([second])) if abs(second) < INFINITE else rest
     except ValueError:
-        return np.zeros((1, count))
+        return rest

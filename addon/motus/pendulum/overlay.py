@@ -3,7 +3,7 @@
 from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
-from . import clock, parts, solve
+from . import clock, directions, parts, solve
 
 SECONDS = 4.0  # of the pendulum's own time, before and after the present moment
 STEPS = 480
@@ -24,13 +24,10 @@ def _batches(context, obj):
     fps = scene_time.fps(scene)
     now = clock.read(evaluated, settings, scene_time.present(scene), fps).seconds
     try:
-        angles = swing.way(np.linspace(max(0.0, now - SECONDS), now + SECONDS, STEPS))[:, : swing.each]
+        states = swing.way(np.linspace(max(0.0, now - SECONDS), now + SECONDS, STEPS))
     except ValueError:
         return []
-    lengths = np.array(parts.lengths(settings))
-    points = np.zeros((STEPS, 3))
-    points[:, 0] = np.sin(angles) @ lengths
-    points[:, 2] = -np.cos(angles) @ lengths
+    points = directions.ends(swing, states, parts.lengths(settings))
     world = np.array(evaluated.matrix_world)
     points = points @ world[:3, :3].T + world[:3, 3]
     return [Batch('LINE_STRIP', points.astype(np.float32), COLOR, 1.5)]

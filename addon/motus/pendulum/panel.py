@@ -6,7 +6,7 @@ from ..core import native, wiring
 from ..core.declare import Problem
 from ..core.interface import panels, ui
 from ..core.interface.tracks import panel as track_panel
-from . import parts, pivot_motion, presets, rows, solve, trail
+from . import parts, pivot_motion, plots, presets, rows, solve, trail
 from .build import system
 
 STRAY = Problem("A copy of a rod, or one without its pivot: it hangs on another pendulum", blocking=False)
@@ -57,6 +57,13 @@ def draw_trail(layout, context):
     layout.operator("motus.pendulum_trail_remove", icon='X').object = pivot.name
 
 
+def draw_plots(layout, context):
+    """Draw the choice of a plot, and the plot of the pendulum's motion."""
+    pivot = _pivot(context)
+    layout.row(align=True).prop(pivot.motus.pendulum, "plot", expand=True)
+    plots.draw(layout, context, pivot)
+
+
 def draw_readouts(layout, context):
     """Draw the pendulum's angles and time at the present frame, and its period."""
     pivot, depsgraph = _pivot(context), context.view_layer.depsgraph
@@ -64,10 +71,12 @@ def draw_readouts(layout, context):
     values = {name: wiring.output(system(), pivot, name, depsgraph) for name in ("angle1", "angle2", "seconds")}
     if None in values.values():
         return
-    has_two = settings.kind != 'SINGLE'
+    has_two = settings.kind == 'DOUBLE'
     found = [ui.Readout(text="Upper Angle" if has_two else "Angle", value=_degrees(values["angle1"]))]
     if has_two:
         found.append(ui.Readout(text="Lower Angle", value=_degrees(values["angle2"])))
+    if settings.kind == 'SPHERICAL':
+        found.append(ui.Readout(text="Heading", value=_degrees(values["angle2"])))
     found.append(ui.Readout(text="Time", value=f"{values['seconds']:.3f} s"))
     period = _period(settings, context.scene)
     if period is not None:
@@ -125,6 +134,7 @@ PANEL = panels.SystemPanel(
         panels.Part("forces", "Forces", draw_forces),
         panels.Part("time", "Time", draw_time, is_open=True),
         panels.Part("trail", "Trails", draw_trail),
+        panels.Part("plots", "Plots", draw_plots),
     ),
     readouts=draw_readouts,
     actions=draw_actions,

@@ -1,4 +1,4 @@
-"""Accelerations of a moving pivot in the plane in which its pendulum swings, for pendulums with the setting Pivot Motion."""
+"""Accelerations of a moving pivot where its pendulum can swing, in a plane or to all sides, for pendulums with the setting Driven Pivot."""
 
 import math
 
@@ -19,11 +19,11 @@ def track(owner, scene):
     return tracks.world_track(owner, scene)
 
 
-def felt(owner, scene, rate):
+def felt(owner, scene, rate, is_spherical):
     """Return (keywords for the native pendulum functions, Problem or None) that describe the pivot's motion.
 
     The keywords are {} if the pivot rests or its motion cannot be used. owner: the evaluated pivot.
-    rate: seconds of the pendulum's own time per second; None if the rate changes.
+    rate: seconds of the pendulum's own time per second; None if the rate changes. is_spherical: whether the pendulum swings to all sides.
     """
     if rate is None or not rate > 0.0:
         return {}, NOT_STEADY
@@ -35,13 +35,15 @@ def felt(owner, scene, rate):
     start = owner.motus.pendulum.start_frame
     count = min(max(math.ceil(scene_time.last(scene) - start) + 1, 2), MOST)
     step = scene_time.seconds(scene, rate)
-    found = tracks.kept(moved, ("pendulum", start, count, step), lambda: _sampled(moved, start, count, step))
+    axes = (0, 1, 2) if is_spherical else (0, 2)
+    found = tracks.kept(moved, ("pendulum", start, count, step, axes), lambda: _sampled(moved, start, count, step, axes))
     if found is None:
         return {}, UNKNOWN
     return {"pivot_step": step, "pivot_accelerations": found}, None
 
 
-def _sampled(moved, start, count, step):
+def _sampled(moved, start, count, step, axes):
+    """Accelerations (count, len(axes)) along axes of the pivot; None if a place is not finite."""
     # The motion before the start and after the end is read as well, because accelerations at the ends of a table are not known.
     matrices = moved.values(start + np.arange(-BESIDE, count + BESIDE))
     if not np.isfinite(matrices).all():
@@ -50,7 +52,7 @@ def _sampled(moved, start, count, step):
     level = native.module.pivot_accelerations(step, np.ascontiguousarray(places[:, :2]))
     upward = native.module.pivot_accelerations(step, np.ascontiguousarray(places[:, 1:]))
     in_space = np.column_stack((level, upward[:, 1]))
-    found = np.zeros((len(matrices), 2))
-    for column, axis in ((0, matrices[:, :3, 0]), (1, matrices[:, :3, 2])):
+    found = np.zeros((len(matrices), len(axes)))
+    for column, axis in enumerate(matrices[:, :3, axis] for axis in axes):
         found[:, column] = (in_space * axis).sum(axis=1) / np.maximum(np.sqrt((axis * axis).sum(axis=1)), 1e-30)
     return np.ascontiguousarray(found[BESIDE:-BESIDE])

@@ -37,6 +37,18 @@ BROUGHT = (
             "damping": 0.05,
         },
     ),
+    Preset(
+        'CONE',
+        "Conical Pendulum",
+        "Goes round at one height, if its kind is Spherical",
+        {"angle1": math.radians(30.0), "velocity_sideways": math.sin(math.radians(30.0)) * math.sqrt(9.81 / math.cos(math.radians(30.0)))},
+    ),
+    Preset(
+        'ROSETTE',
+        "Rosette",
+        "Draws a flower that slowly turns, if its kind is Spherical",
+        {"length1": 2.0, "angle1": math.radians(50.0), "velocity_sideways": 0.5},
+    ),
     Preset('MOON', "On the Moon", "A sixth of the weight", {"use_scene_gravity": False, "gravity": 1.62}),
 )
 

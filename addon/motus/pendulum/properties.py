@@ -13,6 +13,7 @@ from . import parts
 KINDS = (
     ('SINGLE', "Single", "One rod with a bob"),
     ('DOUBLE', "Double", "A second rod hangs on the first one's bob"),
+    ('SPHERICAL', "Spherical", "One rod with a bob that swings to all sides"),
 )
 
 
@@ -70,6 +71,14 @@ class PendulumKeywords:
         soft_max=math.pi,
         subtype='ANGLE',
     )
+    heading: _number(
+        "Heading",
+        "Direction in which a spherical pendulum is drawn out when the motion starts, about the pivot's Z axis from X",
+        0.0,
+        soft_min=-math.pi,
+        soft_max=math.pi,
+        subtype='ANGLE',
+    )
     angle_step: _number(
         "Angle Step",
         "Difference of the lower angle from one pendulum of the fan to the next",
@@ -90,6 +99,14 @@ class PendulumKeywords:
     velocity2: _number(
         "Lower Velocity",
         "Angular velocity of the lower rod when the motion starts, per second",
+        0.0,
+        soft_min=-20.0,
+        soft_max=20.0,
+        subtype='ANGLE',
+    )
+    velocity_sideways: _number(
+        "Sideways Velocity",
+        "Angular velocity of a spherical pendulum across its heading when the motion starts, per second",
         0.0,
         soft_min=-20.0,
         soft_max=20.0,
@@ -130,6 +147,13 @@ class PendulumKeywords:
 KEYWORDS = tuple(PendulumKeywords.__annotations__)
 
 
+PLOTS = (
+    ('ANGLE', "Angle", "Angles of the rods over time"),
+    ('ENERGY', "Energy", "Energy over time, and its kinetic and potential part"),
+    ('PHASE', "Phase Portrait", "Angular velocity over angle: a swing goes round, a turn goes through"),
+)
+
+
 class MOTUS_PG_pendulum_rod(bpy.types.PropertyGroup):
     object: to_object(name="Object", description="Rod that the pendulum turns", update=rewire, override=OVERRIDABLE)
     bob: to_object(name="Bob", description="What hangs at the end of the rod", override=OVERRIDABLE)
@@ -162,6 +186,13 @@ class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGrou
         default=1,
         min=1,
         max=parts.LARGEST_FAN,
+        options=set(),
+        override=OVERRIDABLE,
+    )
+    plot: bpy.props.EnumProperty(
+        name="Plot",
+        description="What the panel plots of the motion around the present frame",
+        items=PLOTS,
         options=set(),
         override=OVERRIDABLE,
     )

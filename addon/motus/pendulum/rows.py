@@ -1,6 +1,6 @@
 """The rows in which the panels show a pendulum's settings and the redo panel shows the operator's keywords."""
 
-from ..core.interface.rows import Row, Rows
+from ..core.interface.rows import Row, Rows, is_one_of
 
 
 def _is_fan(settings):
@@ -9,16 +9,16 @@ def _is_fan(settings):
     return settings.kind in {'FAN', 'CHAOS'}  # `settings` are the operator's keywords
 
 
-def _has_two(settings):
-    return settings.kind != 'SINGLE'
-
-
 def _has_one(settings):
-    return settings.kind == 'SINGLE'
+    return settings.kind in {'SINGLE', 'SPHERICAL'}
+
+
+def _has_two(settings):
+    return not _has_one(settings)
 
 
 def _of_rods(name, text):
-    """Make the panel rows of a setting that each rod has: one with the label `text` for a single pendulum, two for a double pendulum."""
+    """Make the panel rows of a setting that each rod has: one with the label `text` for a pendulum of one rod, two for a double pendulum."""
     return Row(f"{name}1", when=_has_one, text=text), Row(f"{name}1", when=_has_two), Row(f"{name}2", when=_has_two)
 
 
@@ -27,8 +27,10 @@ SWING = Rows(
         *_of_rods("length", text="Length"),
         *_of_rods("mass", text="Mass")[1:],
         *_of_rods("angle", text="Angle"),
+        Row("heading", when=is_one_of("kind", 'SPHERICAL')),
         Row("angle_step", when=_is_fan),
         *_of_rods("velocity", text="Velocity"),
+        Row("velocity_sideways", when=is_one_of("kind", 'SPHERICAL'), text="Sideways"),
     ),
     title="Pendulum",
 )

@@ -12,7 +12,7 @@ from ..core.file import deleted
 from ..core.file.stored import Damaged
 from ..core.measures import bounds
 from ..core.refusals import INFINITE
-from . import clock, parts, pivot_motion
+from . import clock, directions, parts, pivot_motion
 
 NO_RODS = Problem("There are no rods: they are another pivot's, or were deleted", False)
 PIVOT_DELETED = Problem("The pivot is in no collection any more: the rods hang as they are placed")
@@ -29,7 +29,7 @@ TOO_EXTREME = Problem("A length, mass, angle, velocity, gravity or damping is to
 TABLE = 200_000.0
 """Price of the native module's longest table of one pendulum's motion: about the microseconds that it takes (core/measures/bounds.py)."""
 FARTHEST = 25_000.0
-"""Time up to which the native module has the motion of a damped single pendulum, as a multiple of the square root of length / gravity."""
+"""Time up to which the native module has the motion of a damped or spherical pendulum, as a multiple of the square root of length / gravity."""
 NEAR = 60.0
 """Seconds since the start within which the motion is unknown only if the settings have extreme values."""
 PROBLEMS = (
@@ -55,9 +55,11 @@ NUMBERS = (
     "mass2",
     "angle1",
     "angle2",
+    "heading",
     "angle_step",
     "velocity1",
     "velocity2",
+    "velocity_sideways",
     "gravity",
     "damping",
     "most_velocity",
@@ -74,12 +76,12 @@ OUTPUTS = ("angle1", "angle2", "velocity1", "velocity2", "seconds")
 class Swing(NamedTuple):
     """Motion of a pendulum or fan of pendulums, which gives the states at any time.
 
-    A state is [angle1, velocity1] or [angle1, angle2, velocity1, velocity2].
+    A state is [angle1, velocity1], [angle1, angle2, velocity1, velocity2], or that of a spherical pendulum (directions.py).
     at(seconds, **pivot): list of the states of all pendulums at one time.
     way(times, number=0, **pivot): states of one pendulum at times (n,), one row for each time.
     pivot: keywords from pivot_motion.felt(). each: rods of one pendulum. count: number of pendulums. Both functions raise ValueError
     if the motion is not known at a time. farthest: seconds up to which the native module has the motion of one pendulum; infinite if the
-    motion is a formula, which takes no longer at a later time.
+    motion is a formula, which takes no longer at a later time. is_spherical: whether it swings to all sides.
     """
 
     each: int
@@ -87,6 +89,7 @@ class Swing(NamedTuple):
     way: Callable
     count: int = 1  # type: ignore[assignment]  # a tuple has a method of this name
     farthest: float = math.inf
+    is_spherical: bool = False
 
     def has_rods(self, numbers):
         """Whether the pendulum or fan has rods with all of these numbers. numbers: as parts.numbers() returns them."""
@@ -123,7 +126,7 @@ def solve(context, pivot, influence):
         now = clock.read(context.owner, settings, context.frame, context.fps)
     problem, felt = now.problem, {}
     if pivot is not None:
-        felt, problem = pivot_motion.felt(context.owner, scene, now.rate)
+        felt, problem = pivot_motion.felt(context.owner, scene, now.rate, swing.is_spherical)
     if not abs(now.seconds) < INFINITE:
         return NOT_FINITE
     if swing.takes_too_long(now.seconds, context.owner, context.depsgraph):
@@ -134,11 +137,18 @@ def solve(context, pivot, influence):
         return unknown(now.seconds, swing.count)
     first, told = rows[0], context.outputs
     # One by one, since NumPy would first make an array of a tuple.
-    told[0], told[1], told[2], told[3], told[4] = first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds
+    if swing.is_spherical:
+        told[0], told[1], told[2], told[3] = directions.angles(first)
+    else:
+        told[0], told[1], told[2], told[3] = first[0], first[swing.each - 1], first[swing.each], first[-1]
+    told[4] = now.seconds
     rods = context.member_data.tolist()
     if not rods:
         return NO_RODS
     numbers = context.kept("rods", rods, lambda: _rods(swing, rods))
+    if swing.is_spherical:
+        context.rotations[:] = directions.turn(first[:3], influence)
+        return problem
     turns = [_turn(rows, number, swing, influence) for number in numbers]
     if not turns[1:]:  # NumPy takes longer for a list of lists
         context.rotations[0, 0], context.rotations[0, 2] = turns[0]
@@ -185,6 +195,17 @@ def swing_of(settings, scene):
     if not all(length > 0.0 for length in parts.lengths(settings)):
         return NO_LENGTH
     gravity, damping = max(gravity_of(settings, scene), 0.0), max(settings.damping, 0.0)
+    farthest = FARTHEST * math.sqrt(settings.length1 / gravity) if gravity > 0.0 else math.inf
+    if settings.kind == 'SPHERICAL':
+        spherical = native.module.spherical_pendulum
+        start = settings.angle1, settings.heading, settings.velocity1, settings.velocity_sideways, settings.length1, gravity, damping
+        return Swing(
+            1,
+            lambda seconds, **felt: [spherical(seconds, *start, **felt).tolist()],
+            lambda times, number=0, **felt: spherical(times, *start, **felt),
+            farthest=farthest,
+            is_spherical=True,
+        )
     if settings.kind == 'SINGLE':
         single = native.module.single_pendulum
         known = settings.angle1, settings.velocity1, settings.length1, gravity, damping
@@ -192,7 +213,7 @@ def swing_of(settings, scene):
             1,
             lambda seconds, **felt: [single(seconds, *known, **felt).tolist()],
             lambda times, number=0, **felt: single(times, *known, **felt),
-            farthest=FARTHEST * math.sqrt(settings.length1 / gravity) if damping > 0.0 < gravity else math.inf,
+            farthest=farthest if damping > 0.0 else math.inf,
         )
     if not (settings.mass1 > 0.0 and settings.mass2 > 0.0):
         return NO_MASS

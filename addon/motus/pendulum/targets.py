@@ -3,6 +3,8 @@
 Errors are raised as Refused, with a sentence for the user.
 """
 
+import math
+
 from mathutils import Vector
 
 from ..core.refusals import Refused, check_local, check_unbaked, named
@@ -71,10 +73,11 @@ def check_bobs(bobs):
             raise Refused(tr("{object} is part of a pendulum").format(object=bob.name))
 
 
-def measured(pivot, bobs):
+def measured(pivot, bobs, is_spherical):
     """Return {"length1": ..., "angle1": ...} and so on, measured from the places of the pivot and the bobs.
 
-    Refuses bobs that lie beside the plane of the pivot's X and Z axes, and a rod of length 0.
+    is_spherical: whether the pendulum swings to all sides. Refuses a rod of length 0 and, if it does not, bobs that lie beside the plane of
+    the pivot's X and Z axes.
     """
     place, found, scale = Vector(), {}, 0.0
     inverse = pivot.matrix_world.inverted_safe()
@@ -83,6 +86,9 @@ def measured(pivot, bobs):
         scale = max(scale, rod.length)
         if rod.length == 0.0:
             raise Refused(tr("{object} lies on what it shall hang on").format(object=bob.name))
+        if is_spherical:
+            level = Vector((math.hypot(rod.x, rod.y), 0.0, rod.z))
+            return {"length1": rod.length, "angle1": build.angle_of(level), "heading": math.atan2(rod.y, rod.x)}
         if abs(rod.y) > FLAT * scale:
             raise Refused(tr("{object} lies beside the plane of the pivot's X and Z axes: turn the pivot").format(object=bob.name))
         flat = Vector((rod.x, 0.0, rod.z))

@@ -1,6 +1,5 @@
 """Trails: the recent paths of the end bobs, as tubes in the bobs' colours, computed anew on each frame."""
 
-import math
 from dataclasses import dataclass
 
 import bpy
@@ -11,7 +10,7 @@ from ..core.declare import Matrix, Points, Problem, Setting, Variable, registere
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
-from . import clock, parts, pivot_motion, solve
+from . import clock, directions, parts, pivot_motion, solve
 
 RATE = 60.0  # points of a trail per second
 MOST = 20_000  # greatest number of points of one trail
@@ -61,7 +60,7 @@ def make(context, matrix, swing, seconds, fade, thickness):
     if isinstance(found, Problem):
         return found
     now = clock.read(pivot, settings, context.frame, context.fps)
-    felt = pivot_motion.felt(pivot, scene, now.rate)[0] if settings.use_pivot_motion else {}
+    felt = pivot_motion.felt(pivot, scene, now.rate, found.is_spherical)[0] if settings.use_pivot_motion else {}
     times = _times(now.seconds, max(seconds, 0.0))
     if len(times) < 2 or thickness <= 0.0:
         return None
@@ -69,10 +68,12 @@ def make(context, matrix, swing, seconds, fade, thickness):
         return solve.FAN_TOO_FAR
     try:
         found.at(now.seconds, **felt)  # computes all pendulums together, which is faster; raises if they are too many for so long a time
-        ways = [found.way(times, number, **felt)[:, : found.each] for number in range(found.count)]
+        ways = [found.way(times, number, **felt) for number in range(found.count)]
     except ValueError:
         return solve.unknown(now.seconds, found.count)
-    _fill(context.points(len(times) * found.count), pivot, ways, np.abs(now.seconds - times) / seconds, (swing, fade, thickness))
+    lengths = parts.lengths(settings)
+    ends = [directions.ends(found, states, lengths, swing) for states in ways]
+    _fill(context.points(len(times) * found.count), pivot, ends, np.abs(now.seconds - times) / seconds, fade, thickness)
     return None
 
 
@@ -88,34 +89,22 @@ def _times(now, length):
     return np.concatenate(([first], inner, [last])) if last > first else np.empty(0)
 
 
-def _fill(points, pivot, ways, ages, looks):
-    swing, fade, thickness = looks
-    settings, count = pivot.motus.pendulum, len(ages)
-    lengths, shares = np.array(parts.lengths(settings)), 1.0 - fade * ages
-    colors, offsets = _of_bobs(settings)
-    for number, angles in enumerate(ways):
+def _fill(points, pivot, ends, ages, fade, thickness):
+    count, shares = len(ages), 1.0 - fade * ages
+    colors, offsets = _of_bobs(pivot.motus.pendulum)
+    for number, places in enumerate(ends):
         rows = slice(number * count, (number + 1) * count)
         if len(points["curve"][rows]) < count:  # the mesh has no room for further points
             points["radius"][rows], points["tint"][rows], points["age"][rows] = 0.0, 0.0, 0.0
             points["position"][rows], points["curve"][rows] = 0.0, -1
             continue
-        turned = swing * angles
-        points["position"][rows, 0] = _each(math.sin, turned) @ lengths
-        points["position"][rows, 1] = offsets.get(number, 0.0)
-        points["position"][rows, 2] = -(_each(math.cos, turned) @ lengths)
+        points["position"][rows] = places
+        points["position"][rows, 1] += offsets.get(number, 0.0)
         points["curve"][rows] = number
         points["radius"][rows] = thickness * shares
         points["tint"][rows, :3] = colors.get(number, PLAIN)
         points["tint"][rows, 3] = shares
         points["age"][rows] = ages
-
-
-def _each(function, angles):
-    """Return an array of the function of each angle.
-
-    function: of the module math, because the last bit of NumPy's sine and cosine depends on an angle's place in its array.
-    """
-    return np.fromiter(map(function, angles.ravel().tolist()), float, angles.size).reshape(angles.shape)
 
 
 def _of_bobs(settings):

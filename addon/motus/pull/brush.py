@@ -11,7 +11,7 @@ from . import falloff_curve
 from .properties import KEYWORDS, is_finite
 
 CHOICES = ("unit", "falloff", "distance", "direction", "clamp_axis")
-FINITE = ("radius", "strength", "scale_factor", "minimum", "maximum")
+FINITE = ("radius", "strength", "scale_factor", "weld", "minimum", "maximum")
 AXIS_INDEX = {'X': 0, 'Y': 1, 'Z': 2}
 SMALLEST_SCALE = 1e-12
 """Least ratio of an object's smallest scale to its largest; below it the object's matrix counts as not invertible."""
@@ -30,6 +30,7 @@ class Brush:
     falloff: str = 'SMOOTH'
     scale_factor: float = 0.0
     distance: str = 'STRAIGHT'
+    weld: float = 0.0
     direction: str = 'NORMAL'
     accumulate: bool = True
     mirror: frozenset = frozenset()
@@ -96,8 +97,13 @@ class Brush:
 
         Its bits are the axes of the object that the image reverses (X: 1, Y: 2, Z: 4).
         """
-        mask = sum(1 << AXIS_INDEX[axis] for axis in self.mirror)
-        return [bits for bits in range(8) if bits & ~mask == 0]
+        return mirror_bits(self.mirror)
+
+
+def mirror_bits(axes):
+    """Return Brush.mirror_bits() for mirrored axes, a sequence of 'X', 'Y' and 'Z'."""
+    mask = sum(1 << AXIS_INDEX[axis] for axis in axes)
+    return [bits for bits in range(8) if bits & ~mask == 0]
 
 
 class Space:

@@ -1,10 +1,11 @@
 """Operator that adds a flat grid of vertices, from which landscapes can be pulled."""
 
 import bpy
-from bpy_extras.object_utils import AddObjectHelper, object_data_add
+from bpy_extras.object_utils import object_data_add
 
+from ..core.interface import placing
 from ..core.interface.operators import OBJECT_OR_EDIT_MODE, Operator
-from ..core.interface.rows import Row, Rows, is_given, is_one_of
+from ..core.interface.rows import Row, Rows, is_one_of
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
@@ -17,7 +18,7 @@ SIZINGS = (
 )
 
 
-class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
+class MOTUS_OT_grid_add(Operator, placing.Placed, bpy.types.Operator):
     bl_idname = "motus.grid_add"
     bl_label = "Grid Mesh"
     bl_description = "Add a flat grid with a given number of vertices, centred on its origin"
@@ -59,13 +60,13 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
             ),
             title="Size",
         ),
-        Rows(("align", Row("location", when=is_given("location")), "rotation"), title="Place"),
+        placing.rows(),
     )
 
     modes = OBJECT_OR_EDIT_MODE
 
     def run(self, context):
-        for name in ("spacing", "size", "location", "rotation"):
+        for name in ("spacing", "size"):
             if not is_finite(getattr(self, name)):
                 raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
         size = tuple(self.size)
@@ -73,21 +74,9 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
             size = (self.width - 1) * self.spacing, (self.height - 1) * self.spacing
         if self.width * self.height > MOST_VERTICES:
             raise Refused(tr("More than {count} vertices do not fit into one mesh").format(count=MOST_VERTICES))
-        self._choose_alignment(context)
-        if self.align == 'VIEW' and getattr(context.space_data, "type", "") != 'VIEW_3D':
-            raise Refused(tr("There is no 3D view to align to: choose another alignment"))
+        self.place(context)  # sets the properties that object_data_add() reads
         mesh = grid_mesh(bpy.app.translations.pgettext_data("Grid"), self.width, self.height, size, self.use_smooth, self.use_uv)
         object_data_add(context, mesh, operator=self)
-
-    def _choose_alignment(self, context):
-        """Set the alignment of the new grid: the one that the caller gave, or the alignment in the preferences.
-
-        Without this method object_data_add() would always use the preferences if no rotation is given.
-        """
-        if not self.is_given("rotation"):
-            if not self.properties.is_property_set("align", ghost=False):
-                self.align = context.preferences.edit.object_align
-            self.rotation = 0.0, 0.0, 0.0
 
 
 def grid_mesh(name, width, height, size, is_smooth=True, has_uv=True):

@@ -166,6 +166,7 @@ def keep_last(record, session):
     record.radius = pulled.dab.radius
     record.object, record.vertex = session.object_name, pulled.dab.vertex
     record.is_shape = not session.is_last_like_a_pin
+    record.welded = session.welded
     record.place, record.displacement = pulled.place, pulled.dab.displacement
     record.metric = session.space.metric(pulled.brush.unit).ravel().tolist()
     if pulled.brush.curve:

@@ -52,9 +52,19 @@ def draw_main(layout, context):
         _draw_curve(layout, brush)
     column = _split(layout)
     column.prop(brush, "distance")
+    column.prop(brush, "weld")
+    _draw_welded(layout, context.object, brush)
+    column = _split(layout)
     column.prop(brush, "direction")
     draw_accumulate(column, brush)
     column.prop(brush, "show_inset")
+
+
+def _draw_welded(layout, obj, brush):
+    """Draw how many vertices of the object the last pull has welded; nothing if the weld distance was a different one."""
+    last = brush.last
+    if brush.weld > 0.0 and obj and (last.object, last.weld) == (obj.name, brush.weld):
+        ui.draw_readouts(layout, [ui.Readout(text="Welded", value=str(last.welded))])
 
 
 def draw_actions(layout, context):

@@ -4,7 +4,7 @@ from ..core.interface import presets
 from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
-OF_THE_OBJECT = {"vertex_group"}
+OF_THE_OBJECT = {"vertex_group", "weld"}
 NAMES = (*(name for name in KEYWORDS if name not in OF_THE_OBJECT), "use_pressure_strength", "use_pressure_size")
 
 # Radius and strength depend on the object, so that no preset sets them.

@@ -84,6 +84,17 @@ class BrushKeywords:
     distance: bpy.props.EnumProperty(
         name="Distance", description="How the distance to the root is measured", items=DISTANCES, default='STRAIGHT', options=set()
     )
+    weld: bpy.props.FloatProperty(
+        name="Weld Distance",
+        description="Vertices within this distance of each other move as one, so that a pull crosses the gaps of a scan; 0 welds none",
+        default=0.0,
+        min=0.0,
+        soft_max=0.1,
+        step=0.1,
+        precision=4,
+        subtype='DISTANCE',
+        options=set(),
+    )
     direction: bpy.props.EnumProperty(
         name="Direction", description="Direction of the pull", items=DIRECTIONS, default='NORMAL', options=set()
     )
@@ -150,6 +161,9 @@ class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
     )
     curve: bpy.props.FloatVectorProperty(
         name="Curve", description="Forces at equal steps from the radius to the root", size=CURVE_SAMPLES, options=set()
+    )
+    welded: bpy.props.IntProperty(
+        name="Welded", description="Number of vertices that moved as one with another, by the weld distance", options=set()
     )
 
 

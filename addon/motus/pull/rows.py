@@ -19,7 +19,7 @@ def _has_strength(operator):
     return not operator.is_given("displacement") and (not len(operator.dabs) or any(dab.kind != 'DRAG' for dab in operator.dabs))
 
 
-FORM = ("falloff", Row("scale_factor", when=is_one_of("falloff", 'CLASSIC')), "distance")
+FORM = ("falloff", Row("scale_factor", when=is_one_of("falloff", 'CLASSIC')), "distance", "weld")
 EXTENT = (Row("mirror", expand=True), Row("vertex_group", search=_vertex_groups))
 LIMITS = (Row("minimum", switch="use_minimum"), Row("maximum", switch="use_maximum"))
 CLAMPED = Row("clamp_axis", when=_is_limited)

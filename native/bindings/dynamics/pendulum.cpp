@@ -1,4 +1,4 @@
-// Pendulums, single and double.
+// Pendulums: single, spherical and double.
 #include "motus/dynamics/pendulum.hpp"
 
 #include <pybind11/pybind11.h>
@@ -7,12 +7,14 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "areas.hpp"
 #include "core/arrays.hpp"
 #include "core/typed.hpp"
 #include "motus/dynamics/double_pendulum.hpp"
+#include "motus/dynamics/spherical_pendulum.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -23,13 +25,14 @@ using namespace motus::dynamics;
 constexpr double state_cost = 600.0;  // ns, rough
 
 static_assert(sizeof(PendulumState) == 2 * sizeof(double), "states are rows of numbers");
+static_assert(sizeof(SphericalState) == 6 * sizeof(double), "states are rows of numbers");
 static_assert(sizeof(DoublePendulumState) == 4 * sizeof(double), "states are rows of numbers");
 
-/// (k, 2) of x and z.
-[[nodiscard]] DoubleArray pairs(const py::object& object, const char* name) {
+/// (k, axes): of x and z in the plane of a swing, or of x, y and z.
+[[nodiscard]] DoubleArray rows_of(const py::object& object, const char* name, py::ssize_t axes) {
     DoubleArray array = doubles(object, name);
-    if (array.ndim() != 2 || array.shape(1) != 2)
-        value_error(name, "must have the shape (k, 2), not " + shape_of(array));
+    if (array.ndim() != 2 || array.shape(1) != axes)
+        value_error(name, "must have the shape (k, " + std::to_string(axes) + "), not " + shape_of(array));
     return array;
 }
 
@@ -40,8 +43,10 @@ static_assert(sizeof(DoublePendulumState) == 4 * sizeof(double), "states are row
 /// The two arguments that move a pivot.
 class Pivot {
   public:
-    Pivot(const Number& step, const OptionalArrayLike& accelerations) : step_(number(step, "pivot_step")) {
-        if (!accelerations.is_none()) accelerations_.emplace(pairs(accelerations, "pivot_accelerations"));
+    Pivot(const Number& step, const OptionalArrayLike& accelerations, py::ssize_t axes = 2)
+        : step_(number(step, "pivot_step")) {
+        if (!accelerations.is_none())
+            accelerations_.emplace(rows_of(accelerations, "pivot_accelerations", axes));
         if (accelerations_ && !(step_ > 0.0)) value_error("pivot_step", "must be greater than 0");
     }
     [[nodiscard]] bool moves() const noexcept { return accelerations_.has_value(); }
@@ -138,7 +143,7 @@ Arguments and errors as single_pendulum().)");
     m.def(
         "pivot_accelerations",
         [](const Number& step, const ArrayLike& positions) {
-            const DoubleArray given = pairs(positions, "positions");
+            const DoubleArray given = rows_of(positions, "positions", 2);
             DoubleArray result = new_array({static_cast<std::size_t>(given.shape(0)), 2});
             pivot_accelerations(number(step, "step"), numbers_in(given), values_of(result));
             return result;
@@ -146,6 +151,39 @@ Arguments and errors as single_pendulum().)");
         "step"_a, "positions"_a, R"(
 Accelerations (k, 2) of a pivot that passes through positions (k, 2), m, `step` seconds (> 0) apart: those of the natural
 cubic spline, for the pivot_accelerations of pendulum functions.  Raises ValueError if a value is not finite.)");
+}
+
+void bind_spherical(py::module_& m) {
+    m.def(
+        "spherical_pendulum",
+        [](const ArrayLike& times, const Number& angle, const Number& heading, const Number& velocity,
+           const Number& across, const Number& length, const Number& gravity, const Number& damping,
+           const Number& pivot_step, const OptionalArrayLike& pivot_accelerations) {
+            const Pendulum pendulum{number(length, "length"), number(gravity, "gravity"),
+                                    number(damping, "damping")};
+            const SphericalStart start{number(angle, "angle"), number(heading, "heading"),
+                                       number(velocity, "velocity"), number(across, "across")};
+            const Pivot pivot(pivot_step, pivot_accelerations, 3);
+            return states_at<SphericalState>(
+                times, [&](std::span<const double> at, std::span<SphericalState> rows) {
+                    if (pivot.moves())
+                        spherical_pendulum(pendulum, start, pivot.motion(), at, rows);
+                    else
+                        spherical_pendulum(pendulum, start, at, rows);
+                });
+        },
+        "times"_a, "angle"_a, "heading"_a = 0.0, "velocity"_a = 0.0, "across"_a = 0.0, "length"_a = 1.0,
+        "gravity"_a = 9.81, "damping"_a = 0.0, "pivot_step"_a = 0.0, "pivot_accelerations"_a = py::none(), R"(
+Direction (x, y, z, of length 1, Z up) from the pivot to the bob of a pendulum that swings to all sides, and its change in
+a second, at times.
+
+times: s, a number or (m,), of any sign and order; each row depends on its own time alone.  angle: at time 0, rad from the
+downward vertical, towards the heading, rad about the vertical from X to Y.  velocity, across: rad/s, by which the angle
+grows, and at right angles to that, to the side to which the heading grows.  length: m, > 0.  gravity: m/s^2, >= 0.
+damping: 1/s, >= 0.  pivot_step, pivot_accelerations: see single_pendulum(), here (k, 3) in space.
+Returns (6,) or (m, 6). By Gauss's method of order 16, which keeps the angular momentum about the vertical. The same bits
+by the same compiler.
+Raises ValueError if a value is not finite or outside its domain, or a time is out of the integration's reach.)");
 }
 
 void bind_double(py::module_& m) {
@@ -248,6 +286,7 @@ Farthest time, s, before or after 0, for which double_pendulum() gives the state
 
 void bind_pendulum(py::module_& m) {
     bind_single(m);
+    bind_spherical(m);
     bind_double(m);
 }
 

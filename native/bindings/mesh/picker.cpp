@@ -1,4 +1,4 @@
-// Picking vertices and triangles of a mesh.
+// Picking vertices and triangles of a mesh, and vertices that count as one.
 #include "picker.hpp"
 
 #include <pybind11/pybind11.h>
@@ -11,6 +11,7 @@
 #include "arrays.hpp"
 #include "core/arguments.hpp"
 #include "core/typed.hpp"
+#include "motus/mesh/weld.hpp"
 #include "reach_arrays.hpp"
 
 namespace motus::bindings {
@@ -169,9 +170,30 @@ void refit(PickedMesh& mesh, const ArrayLike& positions, const OptionalArrayLike
     mesh.refit(points.values(), vertices);
 }
 
+[[nodiscard]] IntArray welded(const ArrayLike& positions, const Number& distance,
+                              const OptionalArrayLike& metric) {
+    const Positions points(positions, "positions");
+    const float most = float_number(distance, "distance");
+    const glm::mat3 measure = metric_argument(metric, "metric");
+    const std::vector<glm::vec3> own_points = copied(points.values());
+    std::vector<std::uint32_t> leaders;
+    {
+        const ReleaseGil released(own_points.size(), build_cost);
+        leaders = mesh::weld(own_points, most, measure);
+    }
+    return index_array(leaders);
+}
+
 }  // namespace
 
 void bind_picker(py::module_& m) {
+    m.def("weld", &welded, "positions"_a, "distance"_a, "metric"_a = py::none(), R"(
+Leaders (v,) int32 of vertices that count as one, such as the corners of a scan's loose triangles.
+
+In the order of their indices, vertices without a leader lead themselves, and all vertices without a leader with
+|metric (p - q)| <= distance, where q is the leader's position. leaders[triangles] are the triangles of the welded mesh.
+positions: (v, 3) float32.  distance: >= 0.  metric: as in Picker.within().
+Raises ValueError or TypeError that names the argument.)");
     py::class_<PickedMesh>(m, "Picker", py::module_local(), R"(
 A mesh to pick from: a tree over its triangles and vertices, and the neighbours of each vertex.
 

@@ -9,10 +9,11 @@
 
 namespace motus::dynamics {
 
-/// Acceleration of the pivot at the start and at the end of a step; linear between.
+/// Acceleration of the pivot, along each of the axes, at the start and at the end of a step; linear between.
+template <std::size_t axes>
 struct Drive {
-    std::array<double, 2> start{};
-    std::array<double, 2> end{};
+    std::array<double, axes> start{};
+    std::array<double, axes> end{};
 };
 
 /// The derivatives at a step's stages, from which the next step of the same length can begin.
@@ -29,7 +30,7 @@ struct GaussStep {
     std::array<double, System::size>* state = nullptr;
     Derivatives<System::size>* derivatives = nullptr;
     double length = 0.0;
-    Drive drive;
+    Drive<System::axes> drive;
     bool converged = false;
     double tail = 0.0;  ///< relative size of the last coefficient of the step's polynomials: the error is
                         ///< some tenth of its square

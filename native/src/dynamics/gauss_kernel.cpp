@@ -25,6 +25,7 @@ using Lanes = UpTo<stages>;
 template <class System>
 class GaussStages {
     static constexpr std::size_t size = System::size;
+    static constexpr std::size_t axes = System::axes;
     static constexpr std::size_t width = lane_count<Lanes>;
     static constexpr std::size_t count = stages / width;
     using Row = std::array<Lanes, count>;
@@ -41,7 +42,7 @@ class GaussStages {
             for (std::size_t d = 0; d < size; ++d) y[d] = Lanes((*step.state)[d]);
             for (std::size_t i = 0; i < count; ++i) {
                 Values f{};
-                derive(*step.system, y.data(), drive_[0][i], drive_[1][i], f.data());
+                derive(*step.system, y.data(), pivot(i).data(), f.data());
                 for (std::size_t d = 0; d < size; ++d) f_[d][i] = f[d];
             }
         }
@@ -67,7 +68,7 @@ class GaussStages {
             Values at{};
             Values f{};
             for (std::size_t d = 0; d < size; ++d) at[d] = y[d][i];
-            derive(*step_.system, at.data(), drive_[0][i], drive_[1][i], f.data());
+            derive(*step_.system, at.data(), pivot(i).data(), f.data());
             for (std::size_t d = 0; d < size; ++d) {
                 change = max(change, abs(f[d] - f_[d][i]));
                 largest = max(largest, abs(f[d]));
@@ -97,13 +98,20 @@ class GaussStages {
     using Table = std::array<Stages, stages>;
 
     void load_drive() {
-        for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (std::size_t axis = 0; axis < axes; ++axis) {
             const double start = step_.drive.start[axis];
             const double more = step_.drive.end[axis] - start;
             alignas(64) Stages at{};
             for (std::size_t i = 0; i < stages; ++i) at[i] = start + more * gauss.nodes[i];
             drive_[axis] = row_of(at);
         }
+    }
+
+    /// Acceleration of the pivot at the stages in row i.
+    [[nodiscard]] HWY_INLINE std::array<Lanes, axes> pivot(std::size_t i) const {
+        std::array<Lanes, axes> at{};
+        for (std::size_t axis = 0; axis < axes; ++axis) at[axis] = drive_[axis][i];
+        return at;
     }
 
     /// Sums over j of table[j] times f[j]; in the same order whatever the number of lanes.
@@ -156,7 +164,7 @@ class GaussStages {
     }
 
     std::array<Row, size> f_{};
-    std::array<Row, 2> drive_{};
+    std::array<Row, axes> drive_{};
     GaussStep<System>& step_;
     double last_change_ = 0.0;
     int rounds_ = 0;
@@ -183,7 +191,7 @@ void make_gauss_steps(std::span<GaussStep<System>> steps) {
 }
 
 constexpr StepKernel kernel{HWY_STR(HWY_NAMESPACE), &make_gauss_steps<SingleSystem>,
-                            &make_gauss_steps<DoubleSystem>};
+                            &make_gauss_steps<DoubleSystem>, &make_gauss_steps<SphericalSystem>};
 
 }  // namespace
 }  // namespace motus::dynamics::HWY_NAMESPACE

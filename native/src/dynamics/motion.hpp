@@ -14,11 +14,13 @@
 
 namespace motus::dynamics {
 
+/// size: number of the variables. axes: of a pivot's accelerations, in the plane (x, z) or in space.
 /// Lengths in those of the (upper) rod, masses in the sum of both, times in a power of two of seconds.
 /// Momenta are scaled likewise.
 struct SingleSystem {
     [[nodiscard]] friend bool operator==(const SingleSystem&, const SingleSystem&) = default;
     static constexpr std::size_t size = 2;  ///< angle, velocity
+    static constexpr std::size_t axes = 2;
     double gravity = 1.0;
     double damping = 0.0;
 
@@ -26,11 +28,38 @@ struct SingleSystem {
     [[nodiscard]] static double inertia() { return 1.0; }
 };
 
+/// The single pendulum that swings to all sides. Cartesian coordinates have no pole, at which angles would
+/// turn at once. Gauss's method keeps the angular momentum about the vertical, which is quadratic in them.
+struct SphericalSystem {
+    [[nodiscard]] friend bool operator==(const SphericalSystem&, const SphericalSystem&) = default;
+    static constexpr std::size_t size = 6;  ///< place of the bob from the pivot, velocity
+    static constexpr std::size_t axes = 3;
+    double gravity = 1.0;
+    double damping = 0.0;
+
+    [[nodiscard]] static double inertia() { return 1.0; }
+
+    /// Takes rounding out of a state: the rod has the length 1, and the velocity is at right angles to it. Of
+    /// an error of either there would soon be a larger one of the length.
+    static void settle(std::array<double, size>& state) {
+        double square = 0.0;
+        for (std::size_t axis = 0; axis < axes; ++axis) square += state[axis] * state[axis];
+        const double shorter = 1.0 / std::sqrt(square);
+        double along = 0.0;
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            state[axis] *= shorter;
+            along += state[axis] * state[axes + axis];
+        }
+        for (std::size_t axis = 0; axis < axes; ++axis) state[axes + axis] -= along * state[axis];
+    }
+};
+
 /// Hamilton's equations; the second momentum in units of the lower bob's own moment of inertia. Damping takes
 /// from both momenta alike, which is what c omega takes from the velocities.
 struct DoubleSystem {
     [[nodiscard]] friend bool operator==(const DoubleSystem&, const DoubleSystem&) = default;
     static constexpr std::size_t size = 4;  ///< both angles, both momenta
+    static constexpr std::size_t axes = 2;
     double gravity = 1.0;
     double damping = 0.0;
     double mass = 0.5;    ///< of the lower bob, of both; 0 to 1
@@ -44,6 +73,7 @@ struct DoubleSystem {
 struct LimitedSystem {
     [[nodiscard]] friend bool operator==(const LimitedSystem&, const LimitedSystem&) = default;
     static constexpr std::size_t size = 4;  ///< both angles, both angular velocities
+    static constexpr std::size_t axes = 2;
     DoubleSystem free;
     double most_acceleration = 0.0;
     double most_velocity = 0.0;
@@ -52,6 +82,9 @@ struct LimitedSystem {
 };
 
 inline void add_to(ContentHash& hash, const SingleSystem& system) {
+    for (const double value : {system.gravity, system.damping}) hash.add(value);
+}
+inline void add_to(ContentHash& hash, const SphericalSystem& system) {
     for (const double value : {system.gravity, system.damping}) hash.add(value);
 }
 inline void add_to(ContentHash& hash, const DoubleSystem& system) {
@@ -70,6 +103,7 @@ struct StepKernel {
     const char* name;
     MakeSteps<SingleSystem> single;
     MakeSteps<DoubleSystem> pair;
+    MakeSteps<SphericalSystem> spherical;
 };
 [[nodiscard]] std::span<const StepKernel> step_kernels();
 
@@ -85,6 +119,10 @@ template <>
 template <>
 [[nodiscard]] inline MakeSteps<DoubleSystem> fastest_steps() {
     return step_kernels().back().pair;
+}
+template <>
+[[nodiscard]] inline MakeSteps<SphericalSystem> fastest_steps() {
+    return step_kernels().back().spherical;
 }
 template <>
 [[nodiscard]] inline MakeSteps<LimitedSystem> fastest_steps() {

@@ -28,7 +28,8 @@ struct MotionSettings {
     System system;
     std::array<double, System::size> start{};
     double interval = 0.0;  ///< between nodes; below 0: backwards in time
-    /// Accelerations of the pivot, x and z in turn, at every `intervals_per_sample` nodes; linear between.
+    /// Accelerations of the pivot, along the system's axes in turn, at every `intervals_per_sample` nodes;
+    /// linear between.
     std::vector<double> accelerations;
     int intervals_per_sample = 1;
 };
@@ -179,6 +180,7 @@ class MotionTable {
                 return;
             }
             largest_ = std::max(largest_, step.tail);
+            if constexpr (requires { System::settle(state_); }) System::settle(state_);
             if (++made_ < 1 << level_) return;
             table_.add(state_, level_);
             if (level_ > 0 && largest_ < needless * table_.largest_tail_) {
@@ -273,16 +275,17 @@ class MotionTable {
     }
 
     /// The pivot's drive between two fractions of the interval that begins at a node.
-    [[nodiscard]] Drive drive(std::size_t node, double from, double to) const {
-        Drive drive;
-        const std::size_t samples = settings_.accelerations.size() / 2;
+    [[nodiscard]] Drive<System::axes> drive(std::size_t node, double from, double to) const {
+        constexpr std::size_t axes = System::axes;
+        Drive<axes> drive;
+        const std::size_t samples = settings_.accelerations.size() / axes;
         const auto per_sample = static_cast<std::size_t>(settings_.intervals_per_sample);
         const std::size_t sample = node / per_sample;
         if (sample + 1 >= samples) return drive;
         const double first = static_cast<double>(node % per_sample);
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double start = settings_.accelerations[2 * sample + axis];
-            const double more = settings_.accelerations[2 * (sample + 1) + axis] - start;
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            const double start = settings_.accelerations[axes * sample + axis];
+            const double more = settings_.accelerations[axes * (sample + 1) + axis] - start;
             drive.start[axis] = start + more * ((first + from) / settings_.intervals_per_sample);
             drive.end[axis] = start + more * ((first + to) / settings_.intervals_per_sample);
         }

@@ -16,9 +16,7 @@ namespace {
 
 void require_valid(const Pendulum& pendulum, const PendulumState& start, std::span<const double> times,
                    std::span<const PendulumState> out) {
-    require(is_positive(pendulum.length), "length: must be greater than 0 and finite");
-    require(is_not_negative(pendulum.gravity), "gravity: must be at least 0 and finite");
-    require(is_not_negative(pendulum.damping), "damping: must be at least 0 and finite");
+    require_valid(pendulum);
     require(std::isfinite(start.angle), "angle: must be finite");
     require(std::isfinite(start.velocity), "velocity: must be finite");
     require(are_finite(times), "times: must be finite");

@@ -17,6 +17,12 @@ namespace motus::dynamics {
     return std::isfinite(value) && value >= 0.0;
 }
 
+inline void require_valid(const Pendulum& pendulum) {
+    require(is_positive(pendulum.length), "length: must be greater than 0 and finite");
+    require(is_not_negative(pendulum.gravity), "gravity: must be at least 0 and finite");
+    require(is_not_negative(pendulum.damping), "damping: must be at least 0 and finite");
+}
+
 /// Whether an angle is one that a motion can be integrated from.
 [[nodiscard]] inline bool is_angle(double value) {
     constexpr double largest = 1e9;
@@ -59,7 +65,9 @@ struct TimeUnit {
 template <class System>
 void drive(MotionSettings<System>& settings, const PivotMotion& pivot, const TimeUnit& unit, double length) {
     require(is_positive(pivot.step), "step: must be greater than 0 and finite");
-    require(pivot.accelerations.size() % 2 == 0, "accelerations: must be pairs of x and z");
+    require(pivot.accelerations.size() % System::axes == 0,
+            System::axes == 2 ? "accelerations: must be pairs of x and z"
+                              : "accelerations: must be triples of x, y and z");
     const double step = unit.from_seconds(pivot.step);
     constexpr int most_halvings = 20;
     const int halvings =

@@ -1,6 +1,7 @@
 #include "contracts/row.hpp"
 #include "contracts/samples.hpp"
 #include "motus/dynamics/double_pendulum.hpp"
+#include "motus/dynamics/spherical_pendulum.hpp"
 #include "motus/dynamics/track.hpp"
 #include "motus/dynamics/wave.hpp"
 
@@ -9,6 +10,10 @@ namespace motus::contracts {
 template <Some<dynamics::PendulumState> T>
 auto fields(Declared, T& v) {
     return std::tie(v.angle, v.velocity);
+}
+template <Some<dynamics::SphericalState> T>
+auto fields(Declared, T& v) {
+    return std::tie(v.direction, v.velocity);
 }
 template <Some<dynamics::DoublePendulumState> T>
 auto fields(Declared, T& v) {
@@ -79,6 +84,40 @@ void add_single(Table& table) {
             as_many_as("`out`, pairs")),
         out<double>("out", 8, "`positions`"))
         .costs("O(n)")
+        .allocates(Memory::scratch);
+}
+
+void add_spherical(Table& table) {
+    const auto pendulum = of(Pendulum{1.0, 9.81, 0.1}, member("length", &Pendulum::length, above(0.0).open()),
+                             member("gravity", &Pendulum::gravity, at_least(0.0).open()),
+                             member("damping", &Pendulum::damping, at_least(0.0).open()));
+    const auto start =
+        of(SphericalStart{1.0, 0.5, 0.1, 0.2}, member("angle", &SphericalStart::angle, up_to(1e9).open()),
+           member("heading", &SphericalStart::heading, up_to(1e9).open()),
+           member("velocity", &SphericalStart::velocity, finite().open().tested_to(1e4)),
+           member("across", &SphericalStart::across, finite().open().tested_to(1e4)));
+    const char* cost = "O(1) a time, from a cached table of steps";
+    add(
+        table, "dynamics::spherical_pendulum(pendulum, start, times, out)",
+        [](const auto& given, const auto& from, const auto& at, auto found) {
+            spherical_pendulum(given, from, at, found);
+        },
+        pendulum, start,
+        arg("times", std::vector{0.1, 0.2}, time_of_motion().tested_to(10.0), as_many_as("`out`")),
+        out<SphericalState>("out", 2, "`times`"))
+        .costs(cost)
+        .allocates(Memory::scratch);
+    add(
+        table, "dynamics::spherical_pendulum(pendulum, start, pivot, times, out)",
+        [](const auto& from, double step, const auto& accelerations, const auto& at, auto found) {
+            spherical_pendulum({}, from, PivotMotion{step, accelerations}, at, found);
+        },
+        start, arg("step", 0.1, above(0.0).open()),
+        arg("accelerations", std::vector{0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, finite().open(),
+            {Size::Rule::any, 0, "triples"}),
+        arg("times", std::vector{0.1, 0.2}, at_least(0.0).open().tested_to(10.0), as_many_as("`out`")),
+        out<SphericalState>("out", 2, "`times`"))
+        .costs(cost)
         .allocates(Memory::scratch);
 }
 
@@ -311,6 +350,7 @@ void add_dynamics(Table& table) {
         arg("share", 0.5, from(0.0, 1.0)))
         .costs("O(1)");
     add_single(table);
+    add_spherical(table);
     add_double(table);
     add_filters(table);
     add_tracks(table);

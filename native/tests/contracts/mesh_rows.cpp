@@ -4,6 +4,7 @@
 #include "motus/mesh/picker.hpp"
 #include "motus/mesh/refine.hpp"
 #include "motus/mesh/surface_distance.hpp"
+#include "motus/mesh/weld.hpp"
 
 namespace motus::contracts {
 
@@ -244,6 +245,15 @@ void add_surfaces(Table& table) {
         arg("most_vertices", std::size_t{1000},
             Domain{"enough for the result", [](const Domain::Seen&) { return Verdict::open; }}))
         .costs("O(n) of the result")
+        .allocates(Memory::scratch);
+    add(
+        table, "mesh::weld(positions, distance, metric, executor)",
+        [](const auto& positions, float distance, const auto& by) {
+            return mesh::weld(positions, distance, by, 1);
+        },
+        arg("positions", sample_positions(), any_at_rest("any; what is not finite leads itself alone")),
+        arg("distance", 0.5F, at_least(0.0)), metric())
+        .costs("O(n log n)")
         .allocates(Memory::scratch);
 }
 

@@ -67,7 +67,7 @@ TEST_CASE("Gauss steps by pairs, quads and octets give the same bits", "[gauss]"
                 states[i] = alone[i] = {2.0, 0.3 * static_cast<double>(i), 0.5, -1.0};
             for (int round = 0; round < 200; ++round) {
                 std::array<GaussStep<DoubleSystem>, count> steps, others;
-                const Drive drive{{0.1, -0.2}, {0.3, 0.1 * round}};
+                const Drive<2> drive{{0.1, -0.2}, {0.3, 0.1 * round}};
                 for (std::size_t i = 0; i < count; ++i) {
                     steps[i] = {&system, &states[i], &derivatives[i], 0.06, drive};
                     others[i] = {&system, &alone[i], &own[i], 0.06, drive};

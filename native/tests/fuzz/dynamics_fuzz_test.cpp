@@ -9,6 +9,7 @@
 #include "extremes.hpp"
 #include "motus/core/numeric.hpp"
 #include "motus/dynamics/double_pendulum.hpp"
+#include "motus/dynamics/spherical_pendulum.hpp"
 #include "motus/dynamics/track.hpp"
 
 using namespace motus;
@@ -67,6 +68,14 @@ TEST_CASE("pendulums of arbitrary numbers are refused or give finite results", "
         returns([&] {
             single_pendulum(single, {start.theta1, std::clamp(start.omega1, -1e4, 1e4)}, times, found);
             for (const PendulumState& one : found) CHECK(are_finite(one.angle, one.velocity));
+        });
+        std::vector<SphericalState> directions(2);
+        returns([&] {
+            const SphericalStart all_ways{start.theta1, start.theta2, std::clamp(start.omega1, -1e4, 1e4),
+                                          std::clamp(start.omega2, -1e4, 1e4)};
+            spherical_pendulum(single, all_ways, times, directions);
+            for (const SphericalState& one : directions)
+                CHECK((is_finite(one.direction) && is_finite(one.velocity)));
         });
         returns([&] { (void)pendulum_period(single, {start.theta1, start.omega1}); });
         std::vector<double> accelerations(6);

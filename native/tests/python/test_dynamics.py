@@ -60,6 +60,34 @@ class PendulumTest(unittest.TestCase):
         states = native.double_pendulum([1.0], 0.3, 0.3, pivot_step=0.1, pivot_accelerations=falling)
         np.testing.assert_allclose(states[0, :2], 0.3, atol=1e-12)
 
+    def test_spherical(self):
+        times = np.array((0.7, -0.3, 2.0))
+        states = native.spherical_pendulum(times, 0.8, 0.3, 0.5, 1.5, 1.2, damping=0.1)
+        self.assertEqual(states.shape, (3, 6))
+        for time, state in zip(times, states):
+            np.testing.assert_array_equal(native.spherical_pendulum(time, 0.8, 0.3, 0.5, 1.5, 1.2, damping=0.1), state)
+        np.testing.assert_allclose(np.linalg.norm(states[:, :3], axis=1), 1.0, atol=1e-15)
+        np.testing.assert_allclose((states[:, :3] * states[:, 3:]).sum(axis=1), 0.0, atol=1e-12)
+        # In a plane it is the single pendulum.
+        angles = native.single_pendulum(times, 0.8, 0.5, 1.2)[:, 0]
+        flat = native.spherical_pendulum(times, 0.8, 0.0, 0.5, length=1.2)
+        np.testing.assert_allclose(flat[:, (0, 2)], np.stack((np.sin(angles), -np.cos(angles)), axis=1), atol=1e-10)
+        np.testing.assert_array_equal(flat[:, 1], 0.0)
+        # In free fall it goes on as it was.
+        falling = native.spherical_pendulum(1.0, 0.5, velocity=2.0, pivot_step=1.0, pivot_accelerations=[(0.0, 0.0, -9.81)] * 3)
+        np.testing.assert_allclose(falling[:3], (np.sin(2.5), 0.0, -np.cos(2.5)), atol=1e-12)
+        for keywords, name in (
+            ({"heading": float("nan")}, "heading"),
+            ({"angle": 1e10}, "angle"),
+            ({"across": float("inf")}, "across"),
+            ({"length": 0.0}, "length"),
+            ({"pivot_step": 1.0, "pivot_accelerations": [(0.0, 0.0)]}, "pivot_accelerations"),
+            ({"pivot_accelerations": [(0.0, 0.0, 0.0)]}, "pivot_step"),
+            ({"times": 1e9}, "times"),
+        ):
+            with self.assertRaisesRegex(ValueError, name):
+                native.spherical_pendulum(**{"times": 1.0, "angle": 0.5, **keywords})
+
     def test_limits(self):
         states = native.double_pendulum(np.linspace(0.0, 5.0, 100), 2.0, 2.0, most_velocity=1.5, most_acceleration=20.0)
         self.assertEqual(np.abs(states[:, 2:]).max(), 1.5)

@@ -15,6 +15,32 @@ class PickerTest(unittest.TestCase):
         cls.positions, cls.triangles, cls.edges = grid()
         cls.picker = native.Picker(cls.positions, cls.triangles, cls.edges)
 
+    def test_weld(self):
+        corners = self.positions[self.triangles].reshape(-1, 3)
+        leaders = native.weld(corners, 1e-4)
+        self.assertEqual((leaders.dtype, leaders.shape), (np.int32, (2400,)))
+        np.testing.assert_array_equal(corners[leaders], corners)
+        self.assertEqual(len(np.unique(leaders)), 441)
+        self.assertTrue((leaders <= np.arange(2400)).all())
+        row = np.arange(4.0)[:, None] * (1.0, 0.0, 0.0)
+        np.testing.assert_array_equal(native.weld(row, 1.5), (0, 0, 2, 2))
+        np.testing.assert_array_equal(native.weld(row, 1.5, np.diag((2.0, 1.0, 1.0))), (0, 1, 2, 3))
+        # The triangles of the welded mesh are connected.
+        picker = native.Picker(corners, leaders[np.arange(2400).reshape(-1, 3)])
+        indices, distances = picker.reach(int(leaders[0]), 0.35, "surface")
+        straight = np.linalg.norm(corners[indices] - corners[0], axis=1)
+        np.testing.assert_allclose(distances, straight, rtol=1e-4, atol=1e-6)
+        self.assertGreater(len(indices), 20)
+        for arguments, error, name in (
+            ((row, -1.0), ValueError, "distance"),
+            ((row, float("inf")), ValueError, "distance"),
+            ((row, "far"), TypeError, "distance"),
+            ((row[:, :2], 1.0), ValueError, "positions"),
+            ((row, 1.0, np.eye(2)), ValueError, "metric"),
+        ):
+            with self.assertRaisesRegex(error, name):
+                native.weld(*arguments)
+
     def test_counts(self):
         self.assertEqual((self.picker.vertex_count, self.picker.triangle_count), (441, 800))
 

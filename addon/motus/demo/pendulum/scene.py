@@ -1,4 +1,4 @@
-"""The scene "Motus Pendulum": a fan of double pendulums half a degree apart, a single copy of one, and one with different angles."""
+"""The scene "Motus Pendulum": a fan of double pendulums half a degree apart, a single copy of one, one with different angles, and a spherical one."""
 
 import math
 
@@ -18,6 +18,8 @@ ROD_RADIUS, BOB_RADIUS, SPACING = 0.017, 0.1, 0.012
 TRAIL, FAN_TRAIL, TRAIL_RADIUS = 3.0, 0.7, 0.016  # lengths of trails in s, and their radius in m
 FAN_SCALE = 1.5
 PLACES = (-4.5, 0.0, 4.5)  # x of the pivots, m: the pendulum alone, the fan, the pendulum with different angles
+ROSETTE = {"location": (4.5, 0.0, 3.3), "length1": 0.85, "angle1": math.radians(36.0), "velocity_sideways": 0.9}
+ROSETTE_TRAIL = 6.0  # length in s
 WALL_Y, FLOOR_Z, BEND = 0.75, -3.3, 1.0
 AIM = Vector((0.0, 0.0, -0.1))
 # Of each square lamp: name, place, watts, colour, side.
@@ -126,7 +128,16 @@ def _add_pendulums(context, collection):
         pivot.location.x = place
         bpy.ops.motus.pendulum_trail_add(object=pivot.name, seconds=TRAIL if pivot != fan else FAN_TRAIL, thickness=TRAIL_RADIUS)
     fan.scale = FAN_SCALE, FAN_SCALE, FAN_SCALE
-    return alone, fan, other
+    return alone, fan, other, _add_rosette(context)
+
+
+def _add_rosette(context):
+    """Add the spherical pendulum, which draws a rosette, to the active collection. Returns the pivot."""
+    if bpy.ops.motus.pendulum_add(kind="SPHERICAL", rod_radius=ROD_RADIUS, bob_radius=BOB_RADIUS, **ROSETTE) != {"FINISHED"}:
+        raise RuntimeError("The spherical pendulum could not be added")
+    pivot = context.object
+    bpy.ops.motus.pendulum_trail_add(object=pivot.name, seconds=ROSETTE_TRAIL, thickness=TRAIL_RADIUS)
+    return pivot
 
 
 def _add_camera(scene, collection):

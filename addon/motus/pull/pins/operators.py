@@ -25,6 +25,7 @@ KEYWORDS = (
     "falloff",
     "scale_factor",
     "distance",
+    "weld",
     "direction",
     "mirror",
     "use_minimum",

@@ -33,6 +33,7 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     scale_factor: number("Scale Factor", "Steepness of the classic falloff", 0.0, soft_min=-10.0, soft_max=10.0)
     curve: vector("Curve", "Forces at equal steps from the radius to the root", CURVE_SAMPLES)
     distance: choice("Distance", "How the distance to the root is measured", DISTANCES, 'STRAIGHT')
+    weld: number("Weld Distance", "Vertices within this distance of each other move as one; 0 welds none", 0.0, min=0.0, soft_max=0.1)
     displacement: vector("Displacement", "How far the root goes at the strength 1, in the object", 3, subtype='XYZ')
     mirror: choice(
         "Mirror", "Pull on the other side of the object too, mirrored across these axes of the object", AXES, set(), options={'ENUM_FLAG'}

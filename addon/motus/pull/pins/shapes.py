@@ -6,7 +6,7 @@ pulled vertices, and the topology if distances are measured along the mesh. The 
 
 from ...core import keeping, native
 from ...core.lazy import numpy as np
-from ..mesh import arrays
+from ..mesh import arrays, welding
 from . import binding
 
 LARGEST = 32
@@ -15,6 +15,8 @@ MOST_VERTICES = 8_000_000
 """Largest total number of vertices of all entries in the cache."""
 SPARE_REACHES = 64
 """Number of reaches that no present pin uses and that an entry keeps nevertheless, for pins that are being edited."""
+MOST_PICKERS = 4
+"""Largest number of search trees of an entry; there is one for each weld distance and measure of lengths."""
 
 _shapes = keeping.OfFile(
     "vertices that pins reach, with the mesh for which they were found (Shape)",
@@ -35,8 +37,9 @@ class Reached:
     reaches: (indices, distances) for the pull and each mirror image, as the native pull() takes them.
     """
 
-    def __init__(self, reaches):
-        self.reaches = reaches
+    def __init__(self, reaches, welded=None):
+        """Keep what was found. welded: Welding of the mesh's vertices, or None."""
+        self.reaches, self._welded = reaches, welded
         self._compact = None
 
     @property
@@ -49,6 +52,10 @@ class Reached:
             rows = np.unique(np.concatenate([indices for indices, _ in self.reaches]))
             self._compact = rows, [(np.searchsorted(rows, indices), distances) for indices, distances in self.reaches]
         return self._compact
+
+    def together(self, weights):
+        """Weights (m,) of the reached vertices with which welded ones stay together."""
+        return weights if self._welded is None else self._welded.least(weights, self.compact[0])
 
 
 class Shape:
@@ -63,7 +70,7 @@ class Shape:
         self._size = binding.diagonal(positions)
         self._triangles = None if topology is None else arrays.triangles(mesh)
         self._edges = None if topology is None else arrays.edges(mesh)
-        self._picker = None
+        self._pickers = keeping.Latest(MOST_PICKERS)
         self._found = keeping.Latest()
 
     def is_of(self, positions, numbers, topology):
@@ -81,17 +88,29 @@ class Shape:
 
     def _find(self, row):
         root, status = binding.root(row, self.positions, self._anchors, self._size)
-        return root, status, None if root is None else Reached(self._reaches(row, root))
+        return root, status, None if root is None else self._reached(row, root)
 
     def forget_but(self, count):
         """Delete the least recently used sets of reached vertices, until at most `count` plus SPARE_REACHES are left."""
         self._found.trim(count + SPARE_REACHES)
 
-    def _reaches(self, row, root):
-        if self._picker is None:
-            self._picker = native.module.Picker(self.positions, self._triangles, self._edges)
+    def _reached(self, row, root):
         metric = np.reshape(np.array(row.metric), (3, 3))
-        return self._picker.reaches(root, row.reach, row.distance, metric, row.mirror)
+        picker, welded = self._picker(row, metric)
+        if welded is None:
+            return Reached(picker.reaches(root, row.reach, row.distance, metric, row.mirror))
+        args = row.reach, row.distance, metric
+        return Reached([welding.reach(picker, self.positions, welded, root, bits, *args) for bits in row.mirror_bits], welded)
+
+    def _picker(self, row, metric):
+        """Return (native Picker, Welding or None) of the mesh as a pin welds it."""
+
+        def make():
+            welded = welding.weld(self.positions, row.weld, metric)
+            ends = [None if ends is None else welding.leaders_of(welded, ends) for ends in (self._triangles, self._edges)]
+            return native.module.Picker(self.positions, *ends), welded
+
+        return self._pickers.made((row.weld, row.metric) if row.weld > 0.0 else None, make)
 
 
 def shape_of(mesh, rows):

@@ -76,7 +76,7 @@ def _apply(owner, mesh, shape, row, reached, offsets):
         group = owner.vertex_groups.get(row.vertex_group)
         if group is None:
             return WITHOUT_GROUP
-        weights = _weights(mesh, group.index, reached.compact[0])
+        weights = reached.together(_weights(mesh, group.index, reached.compact[0]))
     if not row.is_muted and row.strength != 0.0:
         move(offsets, shape.positions, row, reached, weights)
     return OK

@@ -4,9 +4,10 @@ from typing import Any, NamedTuple
 
 from ...core.file.choices import chosen
 from ...core.lazy import numpy as np
+from ..brush import mirror_bits
 from ..properties import is_finite
 
-FLOATS = {"strength": 1, "radius": 1, "scale_factor": 1, "minimum": 1, "maximum": 1, "displacement": 3, "place": 3, "metric": 9}
+FLOATS = {"strength": 1, "radius": 1, "scale_factor": 1, "weld": 1, "minimum": 1, "maximum": 1, "displacement": 3, "place": 3, "metric": 9}
 FLAGS = ("is_muted", "use_minimum", "use_maximum")
 AXES = ('X', 'Y', 'Z')
 
@@ -25,6 +26,7 @@ class Row(NamedTuple):
     scale_factor: float
     curve: Any
     distance: str
+    weld: float
     displacement: tuple
     place: tuple
     anchor: int
@@ -54,7 +56,12 @@ class Row(NamedTuple):
     @property
     def where(self):
         """Tuple of the settings on which the set of reached vertices depends, as a key for a cache."""
-        return self.place, self.anchor, self.vertex, self.distance, self.reach, self.metric, self.mirror
+        return self.place, self.anchor, self.vertex, self.distance, self.reach, self.weld, self.metric, self.mirror
+
+    @property
+    def mirror_bits(self):
+        """One integer for the pin itself (0) and for each of its mirror images; its bits are the axes that the image reverses."""
+        return mirror_bits(self.mirror.upper())
 
     @property
     def is_usable(self):
@@ -63,6 +70,7 @@ class Row(NamedTuple):
             self.strength,
             self.radius,
             self.scale_factor,
+            self.weld,
             *self.displacement,
             *self.place,
             *self.metric,

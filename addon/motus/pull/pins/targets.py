@@ -4,11 +4,11 @@ from ...core.lazy import numpy as np
 from ...core.refusals import Refused
 from ...core.translations import tr
 from ..brush import AXIS_INDEX, Brush, Space, unit
-from ..mesh import arrays, object_mesh
+from ..mesh import arrays, object_mesh, welding
 from ..mesh.open_mesh import open_mesh
 from ..properties import KEYWORDS
 
-PULL_SETTINGS = ("radius", "falloff", "scale_factor", "distance", "mirror", "vertex_group")
+PULL_SETTINGS = ("radius", "falloff", "scale_factor", "distance", "weld", "mirror", "vertex_group")
 LIMITS = ("use_minimum", "minimum", "use_maximum", "maximum", "clamp_axis")
 AXIS_NAMES = tuple(AXIS_INDEX)
 
@@ -141,7 +141,9 @@ def _displacement(mesh, positions, vertex, brush, space):
         axis = np.eye(3)[AXIS_INDEX[brush.direction]]
         way = space.inverse @ axis if brush.unit == 'WORLD' else axis
     else:
-        normal = arrays.vertex_normal(mesh, arrays.corners(mesh), positions, vertex)
+        welded = welding.weld(positions, brush.weld, space.metric(brush.unit))
+        corners = welding.leaders_of(welded, arrays.corners(mesh))
+        normal = arrays.vertex_normal(mesh, corners, positions, welding.leaders_of(welded, vertex))
         if not normal.any():
             raise Refused(tr("Vertex {index} has no normal: choose another direction").format(index=vertex))
         way = space.inverse @ space.normal_to_world(normal) if brush.unit == 'WORLD' else unit(normal)

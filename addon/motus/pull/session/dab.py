@@ -11,7 +11,7 @@ from ...core.lazy import numpy as np
 from ...core.refusals import Refused
 from ...core.translations import tr
 from ..brush import AXIS_INDEX, Space
-from ..mesh import object_mesh
+from ..mesh import object_mesh, welding
 from ..mesh.open_mesh import open_mesh
 from ..properties import is_finite
 from .history import Done, History
@@ -56,27 +56,35 @@ class Session:
         self.space = Space(obj.evaluated_get(depsgraph).matrix_world)
         self.current = self.mesh.positions()
         _refuse_strange(self.current)
-        self._surface = Surface(self.mesh)
-        self._puller = Puller(self.mesh, self._surface, self.space)
+        self._welded = welding.weld(self.current, brush.weld, self.metric)
+        self._surface = Surface(self.mesh, self._welded)
+        self._puller = Puller(self.mesh, self._surface, self.space, self._welded)
         self._given: tuple[Any, ...] = ()
         self._begin()
 
     def begin_again(self, context, obj, brush):
-        """Make the present shape the start of a new session with this brush.
+        """Make the present shape the start of a new session with this brush, in which the same vertices are welded.
 
-        Returns False, and changes nothing, if the object or its mesh is not in the state in which the session left it.
+        Returns False, and changes nothing, if the object or its mesh is not in the state in which the session left it, or if vertices are
+        to be welded differently.
         """
         mesh = open_mesh(obj)
         depsgraph = context.evaluated_depsgraph_get()
         space = Space(obj.evaluated_get(depsgraph).matrix_world)
         is_same = obj.name == self.object_name and type(mesh) is type(self.mesh)
-        if not is_same or not _same(self.current, mesh.positions()):
+        if not is_same or not self._welds_alike(brush, space) or not _same(self.current, mesh.positions()):
             return False
         self.brush, self.mesh, self.space = brush, mesh, space
         self._surface.reopen(mesh)
         self._puller.reopen(mesh, space)
         self._begin()
         return True
+
+    def _welds_alike(self, brush, space):
+        """Whether a brush, on an object with this Space, welds the vertices that are welded already."""
+        if self._welded is None:
+            return brush.weld == 0.0
+        return brush.weld == self.brush.weld and np.array_equal(space.metric(brush.unit), self.metric)
 
     def _begin(self):
         # These arrays are never changed in place, so that the history may refer to them; see _writable().
@@ -289,6 +297,11 @@ class Session:
         self.flush()
         self.mesh.finish()
         return self.has_changed
+
+    @property
+    def welded(self):
+        """Number of vertices that move as one with another, by the brush's weld distance."""
+        return 0 if self._welded is None else self._welded.count
 
     @property
     def has_changed(self):

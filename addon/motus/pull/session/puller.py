@@ -2,7 +2,7 @@
 
 from ...core import native
 from ...core.lazy import numpy as np
-from ..mesh import clipping
+from ..mesh import clipping, welding
 
 LARGE = 0.12
 """If a straight reach exceeds this share of the mesh's size, one pass over all vertices is faster than the search tree."""
@@ -13,8 +13,9 @@ MOST_REACHES = 64
 class Puller:
     """Applies dabs to the positions of one mesh; reads the weights of the vertices when they are first needed."""
 
-    def __init__(self, mesh, surface, space):
-        self._surface = surface
+    def __init__(self, mesh, surface, space, welded):
+        """Apply dabs to a mesh. welded: Welding of its vertices, or None. The remaining arguments are those of reopen()."""
+        self._surface, self._welded = surface, welded
         self._groups = {}
         self.reopen(mesh, space)
 
@@ -75,10 +76,13 @@ class Puller:
         if weights is not None:
             forces = forces * weights[moved]
         before = current[moved]
-        target = self._surface.neighbourhood.middles(current, moved)
+        leaders, places = moved, slice(None)
+        if self._welded is not None:
+            leaders, places = np.unique(self._welded.leaders[moved], return_inverse=True)
+        step = self._surface.neighbourhood.middles(current, leaders) - current[leaders]
         # Forces are in [0, 1]: with a strength of 1 a vertex moves exactly to the middle of its neighbours.
         share = np.minimum(strength * forces, 1.0)[:, None]
-        current[moved] += (share * (target - before)).astype(np.float32)
+        current[moved] += (share * step[places]).astype(np.float32)
         self._clamp(current, moved, before, brush, always=True)
         self._clip(current, moved, start)
         return moved
@@ -110,11 +114,12 @@ class Puller:
             factors.append(~hidden)
         if not factors:
             return None
-        return np.ascontiguousarray(np.multiply.reduce(factors), np.float32)
+        weights = np.ascontiguousarray(np.multiply.reduce(factors), np.float32)
+        return weights if self._welded is None else self._welded.least(weights, np.arange(len(weights)))
 
     def may_sweep(self, brush, radius, start):
         """Whether sweep() can apply this dab, and is faster than pull(), which uses the search tree."""
-        if brush.distance != 'STRAIGHT' or self._planes or self.is_clamped_in_world(brush):
+        if brush.distance != 'STRAIGHT' or self._welded or self._planes or self.is_clamped_in_world(brush):
             return False
         if brush.mirror and self._space.is_skewed_by_mirrors(brush.unit):
             return False
@@ -177,16 +182,16 @@ class Puller:
         if key not in self._reaches:
             if len(self._reaches) >= MOST_REACHES:
                 self._reaches.clear()
-            signs = np.array([-1.0 if bits >> axis & 1 else 1.0 for axis in range(3)])
-            picker = self._surface.picker(start)
-            root = vertex
-            if bits:
-                root = start[vertex] * signs
-                if brush.distance != 'STRAIGHT':
-                    root = picker.nearest(root)
-            # Reversing the metric too makes mirror images alike in a sheared object.
-            metric = self._space.metric(brush.unit) * signs
-            self._reaches[key] = picker.reach(root, brush.reach_of(radius), brush.distance.lower(), metric)
+            self._reaches[key] = welding.reach(
+                self._surface.picker(start),
+                start,
+                self._welded,
+                vertex,
+                bits,
+                brush.reach_of(radius),
+                brush.distance.lower(),
+                self._space.metric(brush.unit),
+            )
         return self._reaches[key]
 
     def _clamp(self, current, moved, before, brush, always=False):

@@ -6,7 +6,7 @@ from functools import cached_property
 import bpy
 
 from ...core.lazy import numpy as np
-from ..mesh import arrays
+from ..mesh import arrays, welding
 from .relax import Neighbourhood
 from .trees import MOST_PARTS, Tree
 
@@ -17,8 +17,9 @@ class Surface:
     The visible shape is the evaluated mesh if modifiers and shape keys keep the number of vertices; otherwise it is the mesh itself.
     """
 
-    def __init__(self, mesh):
-        self._mesh = mesh
+    def __init__(self, mesh, welded):
+        """Read a mesh when it is first asked for. welded: Welding of its vertices, or None."""
+        self._mesh, self._welded = mesh, welded
         self._start_tree, self._seen_tree = Tree(), Tree()
         self._moved_since_start = []
         self._seen = None
@@ -26,22 +27,25 @@ class Surface:
 
     @cached_property
     def triangles(self):
-        """Triangles of the mesh, int32 (t, 3) vertex indices, without hidden faces except in Object Mode, which shows them."""
-        return self._mesh.triangles(visible_only=self._mesh.obj.mode != 'OBJECT')
+        """Triangles of the welded mesh, int32 (t, 3) vertex indices, without hidden faces except in Object Mode, which shows them."""
+        return welding.leaders_of(self._welded, self._mesh.triangles(visible_only=self._mesh.obj.mode != 'OBJECT'))
 
     @cached_property
     def edges(self):
-        """Edges of the mesh, int32 (e, 2) vertex indices."""
-        return self._mesh.edges()
+        """Edges of the welded mesh, int32 (e, 2) vertex indices."""
+        return welding.leaders_of(self._welded, self._mesh.edges())
 
     @cached_property
     def neighbourhood(self):
-        """Finds the neighbours of each vertex, for smoothing."""
-        return Neighbourhood(self.edges, arrays.faces_of_edges(self._mesh.mesh))
+        """Finds the neighbours of each vertex that leads itself, for smoothing."""
+        face_counts = arrays.faces_of_edges(self._mesh.mesh)
+        if self._welded is not None:
+            return Neighbourhood(*self._welded.edges(self._mesh.edges(), face_counts))
+        return Neighbourhood(self.edges, face_counts)
 
     @cached_property
     def _corners(self):
-        return self._mesh.corners()
+        return welding.leaders_of(self._welded, self._mesh.corners())
 
     @cached_property
     def _hidden(self):
@@ -55,7 +59,7 @@ class Surface:
 
     def normal(self, vertex, shape):
         """Unit normal at a vertex of the mesh with the positions `shape` (n, 3); zero for a vertex without faces."""
-        return arrays.vertex_normal(self._mesh.mesh, self._corners, shape, vertex)
+        return arrays.vertex_normal(self._mesh.mesh, self._corners, shape, welding.leaders_of(self._welded, vertex))
 
     def pick(self, origin, direction, metric, start, current):
         """Intersect a ray with the visible shape: (triangle, point, normal, vertex to be pulled); None if the ray hits nothing.

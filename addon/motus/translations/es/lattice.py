@@ -1,6 +1,18 @@
 """Spanish: lattices."""
 
 INTERFACE = {
+    "Reset Lattice": "Restablecer jaula",
+    "Let the lattice's points, as they stand, deform nothing: a lattice is shaped by hand around what it is to deform": "Deja que los puntos de la jaula, tal como están, no deformen nada: una jaula se moldea a mano alrededor de lo que va a deformar",
+    "Regular": "Regular",
+    "Take the regular grid as the rest again, and put the points there": "Vuelve a tomar la rejilla regular como reposo y pone los puntos allí",
+    "{object} has a rest made by hand: take the regular one first": "{object} tiene un reposo hecho a mano: toma antes el regular",
+    "{other} of {object} acts before {modifier}: move {modifier} above it first": "{other} de {object} actúa antes que {modifier}: pon antes {modifier} por encima",
+    "The lattice folds over itself: {count} vertices have no place at rest": "La jaula se pliega sobre sí misma: {count} vértices no tienen lugar en reposo",
+    "Keep the deformation of this frame as a shape key of the mesh, whose value can be keyed; the lattice stays": "Conserva la deformación de este fotograma como una clave de forma de la malla, cuyo valor admite claves; la jaula se queda",
+    "Name of the object that the lattice deforms, or of the lattice; empty takes the active one": "Nombre del objeto que la jaula deforma, o de la jaula; vacío toma el activo",
+    "Name of the shape key; empty takes the lattice's name": "Nombre de la clave de forma; vacío toma el de la jaula",
+    "Move the lattice's points back to rest, and let the shape key take their place": "Devuelve los puntos de la jaula al reposo y deja que la clave de forma ocupe su lugar",
+    "{objects}: shape key {key}": "{objects}: clave de forma {key}",
     "Parent to Object": "Emparentar al objeto",
     "The lattice's axes are those of the active object": "Los ejes de la jaula son los del objeto activo",
     "The lattice's axes are those of the world": "Los ejes de la jaula son los del mundo",
@@ -91,6 +103,9 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Keep as Shape Key": "Conservar como clave de forma",
+    "Take as Rest": "Tomar como reposo",
+    "Regular Rest": "Reposo regular",
     "Apply": "Aplicar",
     "Fit Lattice": "Ajustar jaula",
     "Pull Lattice": "Tirar de la jaula",

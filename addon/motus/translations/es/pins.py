@@ -1,6 +1,7 @@
 """Spanish: pins."""
 
 INTERFACE = {
+    "Vertices within this distance of each other move as one; 0 welds none": "Los vértices a menos de esta distancia se mueven como uno; 0 no suelda ninguno",
     "Pin": "Ancla",
     "Pins rest in Edit Mode: the mesh is shown without them": "Las anclas descansan en el modo Edición: la malla se muestra sin ellas",
     "Move the root of a pin; a click makes the pin the active one": "Lleva la raíz de un ancla a otro lugar; un clic hace del ancla la activa",

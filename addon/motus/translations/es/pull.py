@@ -1,6 +1,10 @@
 """Spanish: Pick & Pull."""
 
 INTERFACE = {
+    "Weld Distance": "Distancia de soldadura",
+    "Vertices within this distance of each other move as one, so that a pull crosses the gaps of a scan; 0 welds none": "Los vértices a menos de esta distancia se mueven como uno, de modo que un tirón cruza las rendijas de un escaneo; 0 no suelda ninguno",
+    "Welded": "Soldados",
+    "Number of vertices that moved as one with another, by the weld distance": "Número de vértices que se movieron como uno con otro, por la distancia de soldadura",
     "Soft": "Suave",
     "Rounded bumps and dents": "Bultos y hoyos redondeados",
     "Hill": "Colina",

@@ -16,18 +16,20 @@ ROWS = 2 * TICKS - 1
 BESIDE = 4.0
 """Width of the numbers beside a graph, in heights of a line."""
 _ROUND = 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0
-LINE, AXIS, LEVEL, FLAG = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90), (0.85, 0.20, 0.20, 0.35)
+LINE, AXIS, LEVEL, DOT, FLAG = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90), (1.0, 1.0, 1.0), (0.85, 0.20, 0.20, 0.35)
+MOST_STAMPS = 20_000
+"""Largest number of places at which a line through points is drawn."""
 
 _graphs = []
 """List of the preview collection with all graphs; empty until the first graph is drawn."""
 _shown = keeping.OfProcess("hashes of the values of the graphs that icons show", "name of the icon's place in the interface", most=256)
 
 
-def draw(layout, name, values, heights, columns, marks=(), flags=()):
+def draw(layout, name, values, heights, columns, marks=(), flags=(), across=(), dot=None):
     """Draw a graph of values (n,) with numbers on its axes.
 
     name: as of icon(). heights: {height: text} of TICKS evenly spaced heights, rising, between which all values lie. columns: three texts,
-    for the left end, the middle and the right end. marks, flags: as of icon().
+    for the left end, the middle and the right end. marks, flags, across, dot: as of icon().
     """
     whole = layout.column(align=True)
     row = _centred(whole)
@@ -39,7 +41,7 @@ def draw(layout, name, values, heights, columns, marks=(), flags=()):
         line = numbers.row()
         line.alignment = 'RIGHT'
         line.label(text=text, translate=False)
-    row.template_icon(icon(name, values, tuple(heights), marks, HEIGHT / ROWS / 2.0, flags), scale=ROWS)
+    row.template_icon(icon(name, values, tuple(heights), marks, HEIGHT / ROWS / 2.0, flags, across, dot), scale=ROWS)
     row = _centred(whole)
     corner = row.column()
     corner.ui_units_x = BESIDE
@@ -70,32 +72,33 @@ def ticks(low, high):
     return [(first + number) * step for number in range(TICKS)]
 
 
-def icon(name, values, levels=(0.0,), marks=(), pad=PAD, flags=()):
+def icon(name, values, levels=(0.0,), marks=(), pad=PAD, flags=(), across=(), dot=None):
     """Icon of a graph of values (n,) from left to right, for UILayout.template_icon.
 
     name: of the place in the interface that shows the graph; each place has one graph at a time. levels: heights of thin horizontal lines.
     marks: further arrays (n,) of values, drawn behind the first. pad: pixels above and below. flags: empty, or (n,) of truth values, red
-    where true.
+    where true. across: arrays (n,), for the values and for each of the marks, of places from 0 at the left end to 1 at the right one,
+    through which a line may come several times; empty if all are evenly spaced. dot: index of a value that is marked, or None.
     """
     if not _graphs:
         _graphs.append(bpy.utils.previews.new())
     previews = _graphs[0]
     preview = previews.get(name) or previews.new(name)
-    values = [np.nan_to_num(np.asarray(one, dtype=float)) for one in (values, *marks)]
+    values, across = ([np.nan_to_num(np.asarray(one, dtype=float)) for one in several] for several in ((values, *marks), across))
     flags = np.asarray(flags, dtype=bool)
-    key = hash((tuple(levels), pad, flags.tobytes(), *(one.tobytes() for one in values)))
+    key = hash((tuple(levels), pad, flags.tobytes(), dot, *(one.tobytes() for one in (*values, *across))))
     if _shown.get(name) != key:
         preview.image_size = (WIDTH, HEIGHT)
-        preview.image_pixels_float = pixels(values[0], levels, values[1:], pad, flags).ravel().tolist()
+        preview.image_pixels_float = pixels(values[0], levels, values[1:], pad, flags, across, dot).ravel().tolist()
         _shown.add(name, key)
     return preview.icon_id
 
 
-def pixels(values, levels=(0.0,), marks=(), pad=PAD, flags=()):
+def pixels(values, levels=(0.0,), marks=(), pad=PAD, flags=(), across=(), dot=None):
     """Draw a graph as pixels: (HEIGHT, WIDTH, 4) floats in [0, 1], the bottom row first.
 
     values: (n,) from left to right. levels: heights of thin horizontal lines. marks: further arrays (n,), drawn behind the first.
-    pad: pixels above and below. flags: as of icon().
+    pad: pixels above and below. flags, across, dot: as of icon().
     """
     every = np.concatenate([values, *marks, np.asarray(levels, dtype=float)])
     low, high = every.min(), every.max()
@@ -105,9 +108,17 @@ def pixels(values, levels=(0.0,), marks=(), pad=PAD, flags=()):
         picture[:, np.asarray(flags)[np.arange(WIDTH) * len(flags) // WIDTH]] = FLAG
     for level in levels:
         _draw(picture, np.full(WIDTH, pad + (level - low) * scale), AXIS, 0.5)
-    for curve, colour, width in (*((mark, LEVEL, 1.0) for mark in marks), (values, LINE, 1.6)):
-        at = np.linspace(0.0, len(curve) - 1.0, WIDTH)
-        _draw(picture, pad + (np.interp(at, np.arange(len(curve)), curve) - low) * scale, colour, width)
+    curves = (values, *marks)
+    for number in reversed(range(len(curves))):
+        curve, colour, width = curves[number], LEVEL if number else LINE, 1.0 if number else 1.6
+        rows = pad + (curve - low) * scale
+        columns = (np.asarray(across[number]) if across else np.linspace(0.0, 1.0, len(curve))) * (WIDTH - 1.0)
+        if across:
+            _draw_path(picture, columns, rows, colour, width)
+        else:
+            _draw(picture, np.interp(np.arange(WIDTH), columns, rows), colour, width)
+    if dot is not None:
+        _draw_path(picture, columns[[dot]], rows[[dot]], DOT, 4.0)  # the values are drawn last
     return picture
 
 
@@ -122,6 +133,23 @@ def _draw(picture, heights, colour, width):
     cover = np.clip(reach + 0.5 - distance, 0.0, 1.0)[..., None]
     picture[..., :3] += cover * (np.array(colour) - picture[..., :3])
     picture[..., 3:] = np.maximum(picture[..., 3:], cover)
+
+
+def _draw_path(picture, columns, rows, colour, width):
+    """Draw a line through points, in any order, into a picture. columns, rows: of the points, (n,). width: half the line's width in pixels."""
+    steps = np.concatenate(([0.0], np.cumsum(np.maximum(np.hypot(np.diff(columns), np.diff(rows)), 1e-9))))
+    at = np.linspace(0.0, steps[-1], int(min(2.0 * steps[-1], MOST_STAMPS)) + 1)  # two stamps a pixel
+    columns, rows = np.interp(at, steps, columns), np.interp(at, steps, rows)
+    cover = np.zeros(picture.shape[:2])
+    reach = math.ceil(width + 1.0)
+    for up in range(-reach, reach + 1):
+        for right in range(-reach, reach + 1):
+            row, column = np.floor(rows).astype(int) + up, np.floor(columns).astype(int) + right
+            is_in = (row >= 0) & (row < HEIGHT) & (column >= 0) & (column < WIDTH)
+            distance = np.hypot(row - rows, column - columns)[is_in]
+            np.maximum.at(cover, (row[is_in], column[is_in]), np.clip(width + 0.5 - distance, 0.0, 1.0))
+    picture[..., :3] += cover[..., None] * (np.array(colour) - picture[..., :3])
+    picture[..., 3] = np.maximum(picture[..., 3], cover)
 
 
 def unregister():
