@@ -96,7 +96,7 @@ class ExamplesTest(support.SceneTestCase):
         self.run_native("layers.md")
 
     def test_the_scripted_example_of_walkers_stands_on_the_ground(self):
-        scripted, own = [code for code in examples(DOCS / "walker.md") if "bpy.ops.motus" in code]
+        scripted, own, by_hand = [code for code in examples(DOCS / "walker.md") if "bpy.ops.motus" in code]
         seen = []
         scope = {"print": lambda place: seen.append(tuple(place))}
         exec(compile(scripted, "walker.md", "exec"), scope)
@@ -109,6 +109,9 @@ class ExamplesTest(support.SceneTestCase):
         self.assertFalse(spider.pose.bones["foot 1.L"].constraints)
         exec(compile(own, "walker.md", "exec"), scope)
         self.assertEqual(len(scope["carrier"].motus.walker.legs), 4)
+        exec(compile(by_hand, "walker.md", "exec"), scope)
+        for number, wanted in zip(seen[2], (-0.5, 1.4, 0.1)):
+            self.assertAlmostEqual(number, wanted, places=6)
 
     @support.in_one_blender
     def test_the_native_example_of_walkers_runs(self):

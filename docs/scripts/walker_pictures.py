@@ -1,4 +1,4 @@
-"""The pictures of gaits and soles on the page of walkers, made through the add-on's own operators and the plans that they make."""
+"""The pictures on the page of walkers that tell of gaits and soles, made through the add-on's own operators and the plans that they make."""
 
 import math
 
@@ -14,6 +14,9 @@ SPACING, BELOW = 1.55, -1.05
 SECONDS, SWINGING, STANDING = 2.0, (0.92, 0.36, 0.05, 1.0), (0.16, 0.24, 0.34, 1.0)
 BAR, ROW = 0.052, 0.098
 LAST = 97
+CHANGES = ((1, "Walk"), (73, "Pace"), (145, "Trot"), (217, "Canter"), (289, "Gallop"))
+LAST_OF_CHANGES, LONG = 361, 9.4
+HORSE = (("L hind", -0.2, -0.5), ("L fore", -0.2, 0.5), ("R fore", 0.2, 0.5), ("R hind", 0.2, -0.5))
 MOMENTS, APART = (0.0, 0.05, 0.12, 0.3, 0.45, 0.53, 0.599, 0.68, 0.8, 0.92), 0.36
 ANKLE, HEEL, TOE = 0.09, 0.06, 0.16
 
@@ -21,7 +24,11 @@ ANKLE, HEEL, TOE = 0.09, 0.06, 0.16
 def render_all(folder):
     """Render the pictures into `folder`; returns the files."""
     folder.mkdir(exist_ok=True)
-    return [_gaits(folder / "walker_gaits.png"), _soles(folder / "walker_soles.png")]
+    return [
+        _gaits(folder / "walker_gaits.png"),
+        _changes(folder / "walker_changes.png"),
+        _soles(folder / "walker_soles.png"),
+    ]
 
 
 def _gaits(file):
@@ -36,6 +43,45 @@ def _gaits(file):
     scene.frame_set(1)
     stage.add_camera(scene, (0.0, -0.42, 10.0), (0.0, -0.42, 0.0), width=SPACING * len(GAITS) + 0.1).rotation_euler = (0.0, 0.0, 0.0)
     return stage.render(scene, file, (1280, 400), samples=64)
+
+
+def _changes(file):
+    """A gait diagram of a horse whose gait is keyed: a row for each foot, with a bar for each stand."""
+    scene = stage.new_scene((0.66, 0.72, 0.78), 0.75)
+    scene.frame_end = LAST_OF_CHANGES
+    standing = stage.flat_material("Standing", STANDING)
+    line = stage.flat_material("Line", SWINGING)
+    body = stage.link(bpy.data.objects.new("Body", None))
+    feet = [stage.link(bpy.data.objects.new(name, None)) for name, *_ in HORSE]
+    for foot, (_, x, y) in zip(feet, HORSE):
+        foot.location = (x, y, 0.0)
+    bpy.context.view_layer.update()
+    bpy.ops.motus.walker_add(object=body.name, feet=",".join(foot.name for foot in feet), use_plane=True, stride=0.5, cadence=1.2)
+    for frame, y in ((-24, 0.0), (LAST_OF_CHANGES + 24, 9.0)):
+        body.location.y = y
+        body.keyframe_insert("location", frame=frame)
+    for frame, gait in CHANGES:
+        body.motus.walker.gait = gait.upper()
+        body.keyframe_insert("motus.walker.gait", frame=frame)
+        _flat("Change", _box(LONG * (frame - 1) / (LAST_OF_CHANGES - 1), -0.58, 0.012, 1.06), line).location.z = -0.01
+        stage.add_text(gait, (LONG * (frame - 1) / (LAST_OF_CHANGES - 1) + 0.1, 0.3, 0.0), 0.17, align='LEFT', upright=False)
+    scene.frame_set(1)
+    walker, times = _walker(body), np.arange(24.0, 24.0 * LAST_OF_CHANGES + 1.0) / 576.0
+    stands = walker.swing(times) == 0.0
+    for row, name in enumerate(feet):
+        y = 0.12 - 0.2 * row
+        stage.add_text(name.name, (-0.12, y - 0.05, 0.0), 0.13, align='RIGHT', upright=False)
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], stands[:, row], [False])).astype(int)))
+        for first, last in zip(edges[::2], edges[1::2]):
+            left, right = (LONG * edge / len(times) for edge in (first, last))
+            _flat("Stand", _box(left, y - 0.06, right - left, 0.12), standing)
+    stage.add_camera(scene, (0.5 * LONG - 0.4, -0.1, 10.0), (0.0, 0.0, 0.0), width=LONG + 1.1).rotation_euler = (0.0, 0.0, 0.0)
+    return stage.render(scene, file, (1280, 180), samples=32)
+
+
+def _box(left, low, width, height):
+    """Corners of a rectangle."""
+    return [(left, low, 0.0), (left + width, low, 0.0), (left + width, low + height, 0.0), (left, low + height, 0.0)]
 
 
 def _soles(file):
@@ -162,10 +208,7 @@ def _disc(place, radius, material):
 
 
 def _bar(x, y, first, last, material):
-    left, right = x + 1.16 * first, x + 1.16 * last
-    _flat(
-        "Bar", [(left, y - 0.5 * BAR, 0.0), (right, y - 0.5 * BAR, 0.0), (right, y + 0.5 * BAR, 0.0), (left, y + 0.5 * BAR, 0.0)], material
-    )
+    _flat("Bar", _box(x + 1.16 * first, y - 0.5 * BAR, 1.16 * (last - first), BAR), material)
 
 
 def _flat(name, corners, material):

@@ -13,6 +13,7 @@ import numpy.typing
 import typing
 __all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'above_floor', 'are_below', 'blink', 'blinks', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'saccades', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'window_violations']
 __all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'spherical_pendulum', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'weld', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'walker_natural_stride', 'wave', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -1054,9 +1055,18 @@ class Walker:
     sole.  heel, toe, >= 0: how far behind and ahead of a foot's place its sole rolls.  strike, push, rad, [0, pi/2]: how much the toe
     is up when a heel touches down, and the heel when a toe lifts; less in steps shorter than the stride, the other way round in
     steps that go backwards.
+    chosen: footholds that are chosen by hand, tuples (leg, time, offset, turn, fixed): of the stand of a leg at a time, s, or of the
+    swing before it, the rest place below which ground is looked for is moved by offset (3,), in the body's space, and the sole is
+    turned by turn, rad, about the ground's normal, counter-clockwise from above. fixed: None, or (place (3,), rotation (4,)), w, x,
+    y, z, of the foot with its flat sole, which stands there whatever body and ground do. Such footholds are never replaced by nearer
+    ones; of several for one stand the last one counts.
+    changes: of the gait over time, tuples (sample, phases (n,), duty) in the order of samples: from there on legs go over to this gait
+    within `transition` cycles, [1, 1000], each by half a cycle at most, while feet that stand stay.  strides, cadences, duties (k,) or
+    None: at the samples, in place of stride, cadence, and the duty of all gaits. A step has the stride and the duty of when it lifts.
+    hip_height, [0, 1e6]: above 0 feet stand for the duty's share of walker_natural_stride() at the body's speed, in place of stride.
     Raises ValueError or TypeError that names the argument, also if more than 1,000,000 steps would be planned.
     """
-    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), ankle: float = 0.0, heel: float = 0.0, toe: float = 0.0, strike: float = 0.0, push: float = 0.0) -> None:
+    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), ankle: float = 0.0, heel: float = 0.0, toe: float = 0.0, strike: float = 0.0, push: float = 0.0, chosen: typing.Sequence[tuple[int, float, numpy.typing.ArrayLike, float, tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None]] | None = None, changes: typing.Sequence[tuple[int, numpy.typing.ArrayLike, float]] | None = None, transition: float = 1.0, strides: numpy.typing.ArrayLike | None = None, cadences: numpy.typing.ArrayLike | None = None, duties: numpy.typing.ArrayLike | None = None, hip_height: float = 0.0) -> None:
         ...
     def body(self, times: numpy.typing.ArrayLike) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         """
@@ -1109,7 +1119,8 @@ class Walker:
     def steps(self) -> dict[str, numpy.typing.NDArray[typing.Any]]:
         """
         All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
-        foot is half-way. If lift equals touch the foot is put there at once: at the first sample and at jumps.
+        foot is half-way; middle (s,), s, of the stand; turn (s, 4), w, x, y, z, of the flat sole on `end`; chosen (s,) int32: which of
+        `chosen` it follows, -1 for none. If lift equals touch the foot is put there at once: at the first sample and at jumps.
         """
 class StrandSurface:
     """
@@ -1824,6 +1835,14 @@ def walker_gait(gait: typing.Literal['tripod', 'tetrapod', 'ripple', 'wave', 'tr
     back to the front, the sides half a cycle apart; 'run', as a trot with all feet in the air in between; 'canter', three beats, the
     left side leads; 'gallop', four beats, the left side leads; 'hop', all together.
     rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
+    Raises ValueError or TypeError that names the argument.
+    """
+def walker_natural_stride(speeds: numpy.typing.ArrayLike, hip_height: float) -> typing.Any:
+    """
+    How far a body goes from a touch of a foot to the next touch of the same foot, m, as animals of all sizes have it: 2.3 h F^0.3
+    with the Froude number F = v^2 / (g h), of at least 0.001, and g = 9.81 m/s^2.
+    
+    speeds: v, m/s, a number or (m,), hip_height: h, m, all from 0 to 1e12. Returns a float or (m,).
     Raises ValueError or TypeError that names the argument.
     """
 def wave(shape: str, x: numpy.typing.ArrayLike, share: float = 0.5) -> typing.Any:

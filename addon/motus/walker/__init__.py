@@ -3,13 +3,22 @@
 from ..core.declare import System
 from . import groups, operators, over_time, overlay, panel, presets, properties, solve
 from .spider import operators as spider_operators
+from .steps import gizmo, operators as step_operators
 
 SYSTEM = System(
     name="walker",
     label="Walker",
     hand_over='KEYS',
     settings=properties.MOTUS_PG_walker,
-    classes=(*properties.classes, *operators.classes, *spider_operators.classes, *presets.classes, *panel.classes),
+    classes=(
+        *properties.classes,
+        *operators.classes,
+        *spider_operators.classes,
+        *step_operators.classes,
+        *gizmo.classes,
+        *presets.classes,
+        *panel.classes,
+    ),
     inputs=solve.INPUTS,
     solve=solve.solve,
     copied_settings=properties.KEYWORDS,

@@ -98,6 +98,11 @@ def in_space(carrier, body):
     return found
 
 
+def space_of(world):
+    """Matrix (4, 4) of a carrier's space, from its world matrix."""
+    return rotations.rigid(np.array(world, float)[None])[0]
+
+
 class Carried:
     """A native Walker that was planned in a carrier's space, as it walks in the world; it is asked as the native one is.
 

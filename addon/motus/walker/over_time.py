@@ -1,6 +1,7 @@
 """Motion of a walker's feet and body at any times, for solvers that need their past, such as those of the legs' IK chains."""
 
 import functools
+import math
 
 from mathutils import Matrix, Quaternion
 
@@ -14,7 +15,7 @@ from ..core.measures import scene_time
 from ..core.tracks import rotations
 from ..core.tracks.in_world import World
 from ..core.tracks.solved import placed
-from . import carrier, leaning, legs, plan, soles
+from . import carrier, keyed, leaning, legs, plan, soles
 
 CYCLES = 2.0
 """Number of cycles of all legs, at the slowest cadence, in which all feet come to rest after the body has stopped."""
@@ -86,9 +87,14 @@ class _OverTime:
         """
         moving, settings = self._way.extent, self._owner.motus.walker
         if moving is not None:
-            rest = CYCLES / max(SLOWEST, settings.cadence) + FADES / max(SLOWEST, settings.frequency)
+            rest = CYCLES / max(SLOWEST, self._cadence(moving[1])) + FADES / max(SLOWEST, settings.frequency)
             moving = moving[0], moving[1] + rest * self._fps
         return united([moving, self._influence.extent])
+
+    def _cadence(self, frame):
+        """The setting Cadence at a frame, which may be infinite; by its keys, if it has any."""
+        found = keyed.channel(self._owner, "cadence")
+        return self._owner.motus.walker.cadence if found.reason or not math.isfinite(frame) else float(found.values(np.array([frame]))[0])
 
     @property
     def stamp(self):

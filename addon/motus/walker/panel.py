@@ -3,8 +3,9 @@
 from ..core.declare import Problem, is_owner, leader_of
 from ..core.interface import panels, ui
 from ..core.interface.tracks import panel as track_panel
+from ..core.measures import scene_time
 from ..core.translations import tr
-from . import legs, plan, presets, rows, told
+from . import legs, pace, plan, presets, rows, told
 from .setup import system
 
 MOST_SHOWN = 16
@@ -78,9 +79,48 @@ def draw_legs(layout, context):
     layout.operator("motus.walker_rest", icon='CON_FLOOR').object = owner.name
 
 
+def draw_steps(layout, context):
+    """Draw the steps that were changed by hand, each with its foot, frame and lock, and the button that changes further ones."""
+    owner = _walker(context)
+    settings = owner.motus.walker
+    column = layout.column(align=True)
+    for index, step in enumerate(settings.steps[:MOST_SHOWN]):
+        label = legs.label(settings.legs[step.leg]) if step.leg < len(settings.legs) else ""
+        row = column.row(align=True)
+        row.label(text=label, translate=False)
+        row.prop(step, "frame", text="")
+        if settings.use_soles:
+            row.prop(step, "turn", text="")
+        lock = row.operator("motus.walker_step", text="", icon='LOCKED' if step.is_locked else 'UNLOCKED')
+        lock.object, lock.foot, lock.lock = owner.name, label, not step.is_locked
+        lock.frame = told.shown(context.scene, scene_time.seconds(context.scene, step.frame))
+        again = row.operator("motus.walker_step_remove", text="", icon='X')
+        again.object, again.index = owner.name, index
+    if len(settings.steps) > MOST_SHOWN:
+        column.label(text=tr("and {count} more").format(count=len(settings.steps) - MOST_SHOWN), translate=False)
+    layout.operator("motus.walker_step", icon='VIEW_PAN').object = owner.name
+    layout.operator("motus.walker_prints", icon='ADD').object = owner.name
+
+
 def draw_whole(layout, context):
     """Draw the settings of the body's axes, of jumps, and of the walk's influence."""
     rows.WHOLE.draw(ui.split(layout), _walker(context).motus.walker)
+
+
+def _of_the_pace(context, owner):
+    """Readouts of the body's speed, if its strides go by it; [] otherwise, or if the speed is not known."""
+    evaluated = owner.evaluated_get(context.evaluated_depsgraph_get())
+    track = plan.body_track(evaluated, context.scene)
+    if not (owner.motus.walker.use_natural and track.is_known):
+        return []
+    now, height = pace.of(evaluated, context.scene, track)
+    if height == 0.0:
+        return []
+    return [
+        ui.Readout(text="Speed", value=f"{now.speed:.2f} m/s"),
+        ui.Readout(text="Froude Number", value=f"{pace.froude(now.speed, height):.2f}"),
+        ui.Readout(text="Speed at Ease", value=f"{pace.at_ease(height, now.slope):.2f} m/s"),
+    ]
 
 
 def draw_readouts(layout, context):
@@ -90,7 +130,7 @@ def draw_readouts(layout, context):
     if isinstance(planned, Problem):
         return
     steps = planned.walker.steps
-    found = [ui.Readout(text="Steps", value=str(int((steps["touch"] > steps["lift"]).sum())))]
+    found = _of_the_pace(context, owner) + [ui.Readout(text="Steps", value=str(int((steps["touch"] > steps["lift"]).sum())))]
     if planned.known == plan.EVER and len(steps["leg"]):
         found.append(ui.Readout(text="At Rest From", value=f"{told.shown(context.scene, planned.walker.settled):.0f}"))
     ui.draw_readouts(layout, found)
@@ -123,6 +163,7 @@ PANEL = panels.SystemPanel(
         panels.Part("soles", "Soles", draw_soles),
         panels.Part("body", "Body", draw_body, is_open=True),
         panels.Part("legs", "Legs", draw_legs),
+        panels.Part("steps", "Steps", draw_steps),
         panels.Part("whole", "More", draw_whole),
     ),
     readouts=draw_readouts,

@@ -17,8 +17,9 @@ from ..core.evaluated import copies
 from ..core.lazy import numpy as np
 from ..core.measures import axes, scene_time
 from ..core.refusals import INFINITE
-from . import carrier, carrying, ground, legs
+from . import carrier, carrying, ground, keyed, legs, pace
 from .properties import NUMBERS
+from .steps import stored
 
 UNLIKE = 1e-4
 """Difference between numbers of two world matrices, as a share of the largest, from which on the body counts as moved by the artist.
@@ -36,7 +37,7 @@ MARGIN = 250.0
 """Frames after the scene's last one that are planned too: a foot that is lifted at the end of the scene touches down later."""
 EVERYWHERE = 1e6
 """Length, in metres, that the library is given for a leg of unknown length, so that the leg reaches everywhere."""
-SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down", "ankle", "heel", "toe"
+SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down", "ankle", "heel", "toe", "hip_height"
 """Settings that are lengths in the body's space, which the body's scale multiplies; the library has arguments of these names."""
 SOLES = "strike", "push"
 """Settings that have an effect only if feet turn with the ground."""
@@ -50,9 +51,15 @@ SETTINGS = {
     "hips": "hip",
     "lengths": "length",
     "phases": "phase",
+    "chosen": "steps",
+    "strides": "stride",
+    "cadences": "cadence",
+    "duties": "duty",
+    "changes": "gait",
 }
 """Argument of the library -> setting of the walker, or of a leg, that has a different name."""
 
+NO_HEIGHT = Problem("Natural Stride has no height to go by: set Hip Height")
 NO_LEGS = Problem("There are no legs: add the walker again, and name its feet")
 NOT_FINITE = Problem("A setting is not a finite number")
 MOTION_NOT_FINITE = Problem("The body's motion is not a finite number")
@@ -68,6 +75,7 @@ BEYOND = Problem("The walk is planned for the frames of the scene: here the feet
 TOO_LONG = Problem("Only the first 9,000 frames of the body's motion are walked: beyond, the feet stand", blocking=False)
 PROBLEMS = (
     NO_LEGS,
+    NO_HEIGHT,
     NOT_FINITE,
     MOTION_NOT_FINITE,
     TOO_FAR,
@@ -76,6 +84,7 @@ PROBLEMS = (
     OUT_OF_RANGE,
     UNKNOWN,
     UNKNOWN_CARRIER,
+    keyed.UNKNOWN,
     UNKEYED,
     UNRECORDED,
     TOO_LONG,
@@ -110,12 +119,13 @@ class Numbers(NamedTuple):
     """Settings of a walker that the plan is made from, as numbers and tuples, so that they can be compared and hashed.
 
     values: of the settings properties.NUMBERS. rest, hips, lengths, phases: an item for each leg. plane: height of the plane, or None.
-    duty: 0 for the usual one of the gait. A length of 0 is for a leg that reaches everywhere. turns: of the feet, in the body's space;
-    empty if feet do not turn with the ground.
+    has_duty: whether the setting Duty counts instead of the usual one of the gait. A length of 0 is for a leg that reaches everywhere.
+    turns: of the feet, in the body's space; empty if feet do not turn with the ground. chosen: steps that were chosen by hand, as
+    steps/stored.py reads them. keyed: names of the settings that are keyed, whose values here are 0 or empty.
     """
 
     gait: str
-    duty: float
+    has_duty: bool
     values: tuple
     forward: tuple
     up: tuple
@@ -125,6 +135,8 @@ class Numbers(NamedTuple):
     lengths: tuple
     phases: tuple
     turns: tuple
+    chosen: tuple
+    keyed: tuple
 
     def value(self, name):
         """Value of the setting of this name, one of properties.NUMBERS."""
@@ -166,10 +178,17 @@ def of(owner, scene, numbers, frame=None):
             poses, fault, is_standing = _standing(owner), UNRECORDED if body_track(owner, scene).reason else UNKEYED, True
     if poses is None:
         return MOTION_NOT_FINITE
+    values, keys_stamp = {}, None
+    if numbers.keyed:
+        # Rounded, so that a key on a whole frame is not missed by the last digit.
+        found = keyed.over(owner, numbers.keyed, np.round(poses.seconds * fps, 9), poses.digest)
+        if isinstance(found, Problem):
+            return found
+        values, keys_stamp = found
     placed, unsure = ground.parts(owner.motus.walker, scene)
     bodies, moving = carrying.moved(owner, poses.seconds * fps, poses.digest) if any(numbers.lengths) else (None, None)
-    stamp = numbers, poses.digest, tuple(one.stamp for one in placed), moving
-    made = _kept(owner, stamp, lambda: tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed, bodies)))
+    stamp = numbers, poses.digest, tuple(one.stamp for one in placed), moving, keys_stamp
+    made = _kept(owner, stamp, lambda: tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, values, poses, placed, bodies, fps)))
     if isinstance(made, Problem):
         return made
     walker, has_problems = made
@@ -223,19 +242,25 @@ def read(settings):
     rest, hips = ([tuple(getattr(leg, name)) for leg in settings.legs] for name in ("rest", "hip"))
     lengths = [0.0 if legs.stretches(owner, leg) else leg.length for leg in settings.legs]
     phases = [leg.phase for leg in settings.legs]
+    timed = keyed.names(owner)
     # Without a part that rises and leans, the hips follow the owner alone.
-    stays = {*(() if legs.body(owner) else BODY), *(() if settings.use_soles else SOLES)}
+    stays = {*(() if legs.body(owner) else BODY), *(() if settings.use_soles else SOLES), *timed}
     turns = [tuple(leg.turn) for leg in settings.legs] if settings.use_soles else []
-    values = tuple(0.0 if name in stays else getattr(settings, name) for name in NUMBERS)
+    height = pace.hip_height(settings) if settings.use_natural else 0.0
+    values = tuple(height if name == "hip_height" else 0.0 if name in stays else getattr(settings, name) for name in NUMBERS)
     found: dict[str, Iterable[float]] = dict(zip(NUMBERS, ((number,) for number in values)))
     found |= {"length": lengths, "phase": phases}
+    steps = stored.read(settings)
+    found |= {"steps": stored.numbers(steps)}
     found |= {"rest": itertools.chain(*rest), "hip": itertools.chain(*hips), "turn": itertools.chain(*turns)}
     for name, numbers in found.items():
         if not all(abs(number) < INFINITE for number in numbers):
             return replace(NOT_FINITE, about=name)
+    if settings.use_natural and height == 0.0:
+        return NO_HEIGHT
     return Numbers(
-        settings.gait,
-        settings.duty if settings.use_duty or settings.gait == 'OWN' else 0.0,
+        "" if "gait" in timed else settings.gait,
+        settings.use_duty,
         values,
         axes.vector(settings.forward_axis),
         axes.vector(settings.up_axis),
@@ -245,6 +270,8 @@ def read(settings):
         tuple(lengths),
         tuple(phases),
         tuple(turns),
+        steps,
+        timed,
     )
 
 
@@ -369,30 +396,26 @@ def _sampled(track, first, last, fps):
     return _digested(seconds, track.values(at[places]))
 
 
-def _made(numbers, poses, placed, bodies):
+def _made(numbers, values, poses, placed, bodies, fps):
     """Make (the native Walker, whether some of its footholds cannot be reached); returns a Problem if the settings are refused.
 
-    poses: Poses of the body. placed: ground meshes, tuple of meshes.Placed. bodies: matrices (k, 4, 4) of the body bone, or None.
+    values: {name: values (k,)} of keyed settings at the samples. poses: Poses of the body. placed: ground meshes, tuple of meshes.Placed.
+    bodies: matrices (k, 4, 4) of the body bone, or None.
     """
     # The largest scale over time counts, so that a body that grows from a scale of 0 has steps.
     scale = np.abs(np.linalg.det(poses.matrices[:, :3, :3])).max() ** (1.0 / 3.0)
-    rest = np.array(numbers.rest)
     try:
-        phases, duty = numbers.phases, numbers.duty
-        if numbers.gait != 'OWN':
-            phases, usual = native.module.walker_gait(numbers.gait.lower(), rest, numbers.forward, numbers.up)
-            duty = duty or usual
         given = {name: scale * numbers.value(name) for name in SCALED} | _reach(numbers, poses.matrices, bodies)
+        given |= keyed.keywords(numbers, values)
         given["stride"] = max(given["stride"], LEAST_STRIDE)
+        if "strides" in given:
+            given["strides"] = np.maximum(scale * given["strides"], LEAST_STRIDE)
         jump = scale * numbers.value("jump")
         walker = native.module.Walker(
             poses.seconds,
             poses.matrices,
-            rest,
+            np.array(numbers.rest),
             ground.made(placed, numbers.plane),
-            phases=phases,
-            duty=duty,
-            cadence=numbers.value("cadence"),
             up=numbers.up,
             jump=jump or None,
             frequency=numbers.value("frequency"),
@@ -402,6 +425,7 @@ def _made(numbers, poses, placed, bodies):
             forward=numbers.forward,
             strike=numbers.value("strike"),
             push=numbers.value("push"),
+            chosen=stored.given(numbers.chosen, fps),
             **given,
         )
     except ValueError as error:

@@ -8,7 +8,7 @@ import bpy
 from ..core.file.pointers import to_object
 from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
-from ..core.settings.declared import choice, factor, number, switch, vector
+from ..core.settings.declared import choice, factor, number, switch, vector, whole
 from . import ground
 
 MOST_LEGS = 64
@@ -51,15 +51,33 @@ def _angle(name, description, degrees):
 class WalkerKeywords:
     """Mixin of a walker's settings and of the operators that add a walker; in scripts the names are the operators' keywords.
 
-    Most of these properties cannot be animated, because the steps of all frames follow from a single value of each.
+    Most of these properties cannot be animated, because the steps of all frames follow from a single value of each. Those of keyed.KEYED
+    can be: the plan reads their keys.
     """
 
-    gait: choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD')
+    gait: choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD', ANIMATED)
     use_duty: switch("Custom Duty", "Set how long feet stand, instead of what the gait says")
-    duty: _number("Duty", "Share of a cycle for which each foot stands", 0.6, min=0.05, max=0.95, subtype='FACTOR')
-    stride: _length("Stride", "How far the body goes while a foot stands, at most", 0.5)
+    duty: _number("Duty", "Share of a cycle for which each foot stands", 0.6, ANIMATED, min=0.05, max=0.95, subtype='FACTOR')
+    stride: _length("Stride", "How far the body goes while a foot stands, at most", 0.5, options=ANIMATED)
     cadence: _number(
-        "Cadence", "Cycles of all legs in a second, at least; a fast body has more", 1.0, min=1e-3, max=100.0, soft_min=0.2, soft_max=5.0
+        "Cadence",
+        "Cycles of all legs in a second, at least; a fast body has more",
+        1.0,
+        ANIMATED,
+        min=1e-3,
+        max=100.0,
+        soft_min=0.2,
+        soft_max=5.0,
+    )
+    use_natural: switch("Natural Stride", "Have steps as long as animals of this height take them at the body's speed")
+    hip_height: _length("Hip Height", "How high the hips are above the ground; 0 takes the height of the legs", 0.0)
+    transition: _number(
+        "Transition",
+        "Cycles in which legs go over from one gait to the next, if the gait is keyed",
+        1.0,
+        min=1.0,
+        max=100.0,
+        soft_max=4.0,
     )
     clearance: _length("Clearance", "How high feet are carried above the ground", 0.1)
     minimum_step: _length(
@@ -120,6 +138,8 @@ NUMBERS = (
     "strike",
     "push",
     "jump",
+    "transition",
+    "hip_height",
 )
 """Names of the number settings that the plan is made from. A script can give them values that are not finite."""
 
@@ -150,8 +170,32 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
     phase: _factor("Phase", "Position of the leg in the cycle: legs of the same phase step together", 0.0)
 
 
+class MOTUS_PG_walker_step(bpy.types.PropertyGroup):
+    leg: whole("Leg", "Index of the leg whose step was changed", 0, min=0)
+    frame: _number("Frame", "Frame on which the foot stands, or swings to its foothold", 0.0)
+    offset: _numbers("Offset", "How far the foothold was moved, along the body's axes; the foot stands on the ground there")
+    turn: _number(
+        "Turn",
+        "Angle by which the foot is turned about the ground's normal",
+        0.0,
+        subtype='ANGLE',
+        soft_min=-math.pi,
+        soft_max=math.pi,
+    )
+    is_locked: switch("Locked", "The foot stands at the place, whatever body and ground do")
+    place: _numbers("Place", "Where the foot of a locked step stands, in the world or in the carrier's space")
+    rotation: vector(
+        "Rotation",
+        "Rotation of the sole of a locked step, from the body's space",
+        4,
+        default=(1.0, 0.0, 0.0, 0.0),
+        subtype='QUATERNION',
+    )
+
+
 class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):
     legs: bpy.props.CollectionProperty(type=MOTUS_PG_walker_leg, name="Legs", override=EXTENDABLE)
+    steps: bpy.props.CollectionProperty(type=MOTUS_PG_walker_step, name="Changed Steps", override=EXTENDABLE)
     body: to_object(
         name="Body",
         description="Object below the one that is moved, which rises and leans with the feet",
@@ -190,4 +234,4 @@ class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):
     )
 
 
-classes = (MOTUS_PG_walker_leg, MOTUS_PG_walker)
+classes = (MOTUS_PG_walker_leg, MOTUS_PG_walker_step, MOTUS_PG_walker)

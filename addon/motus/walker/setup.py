@@ -44,12 +44,13 @@ def attach(context, owner, found, body, changes):
     """Set up an object to walk on legs, or change the legs of an object that walks already.
 
     The present places of the feet become their rest positions. A new walker gets lengths that suit its legs, if `changes` does not set
-    them. Feet that a walker has already keep their phases.
+    them. Feet that a walker has already keep their phases, and their steps that were changed by hand.
     found: the legs, as Leg. body: name of the bone, or the Object, that rises and leans; None if there is none.
     changes: {name: value} of settings.
     """
     was_active = owner.motus.walker.is_active
-    phases = {(leg.name, pointed(leg, "foot")): leg.phase for leg in owner.motus.walker.legs}
+    feet = [(leg.name, pointed(leg, "foot")) for leg in owner.motus.walker.legs]
+    phases = {foot: leg.phase for foot, leg in zip(feet, owner.motus.walker.legs)}
     rests = _own_rests(context, owner, found)
     with entries.unwired(owner.motus.walker) as settings:
         settings.legs.clear()
@@ -58,12 +59,23 @@ def attach(context, owner, found, body, changes):
             entry.name, entry.foot, entry.hip, entry.length = leg.bone, leg.foot, leg.hip, leg.length
             _set_rest(entry, rest)
             entry.phase = phases.get((leg.bone, leg.foot), 0.0)
+        _move_steps(settings.steps, feet, [(leg.bone, leg.foot) for leg in found])
         if owner.pose:
             settings.body_bone = body or ""
         else:
             settings.body = body
     change(owner, changes if was_active else lengths([rest.translation for rest in rests]) | changes)
     _forget_others()
+
+
+def _move_steps(steps, before, after):
+    """Let the changed steps of a walker follow their feet, whose legs are about to have other places in the list. before, after: feet."""
+    for index in reversed(range(len(steps))):
+        foot = before[steps[index].leg] if steps[index].leg < len(before) else None
+        if foot in after:
+            steps[index].leg = after.index(foot)
+        else:
+            steps.remove(index)
 
 
 def _forget_others():

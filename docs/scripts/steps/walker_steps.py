@@ -40,6 +40,7 @@ def steps(strip):
 
     _make_steps()
     yield from hand.to_frame(40)
+    _lock_a_step()
     yield from strip.shot(150, 200)
     yield from strip.panel("walker_panel", 0, 28, 1050, 720)
 
@@ -71,3 +72,11 @@ def _make_steps():
         spider.select_set(True)
         bpy.context.view_layer.objects.active = spider
         spider.motus.walker.grounds = blocks
+
+
+def _lock_a_step():
+    """One step is moved aside, another one is locked."""
+    with window_support.override():
+        spider = bpy.context.object
+        bpy.ops.motus.walker_step(object=spider.name, foot="foot 1.R", frame=40, lock=True)
+        bpy.ops.motus.walker_step(object=spider.name, foot="foot 2.L", frame=40, turn=0.0)

@@ -28,6 +28,11 @@ using walker::Gait;
 using walker::Ground;
 using walker::Walker;
 
+using GaitChanges = Typed<"typing.Sequence[tuple[int, numpy.typing.ArrayLike, float]] | None">;
+using ChosenSteps = Typed<
+    "typing.Sequence[tuple[int, float, numpy.typing.ArrayLike, float, tuple[numpy.typing.ArrayLike, "
+    "numpy.typing.ArrayLike] | None]] | None">;
+
 constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns, rough
 
 /// (m,).
@@ -81,8 +86,32 @@ constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns,
     return std::make_shared<Ground>(positions, triangles, plane);
 }
 
+/// The items of a tuple or list, of which there have to be so many.
+[[nodiscard]] py::sequence items_of(py::handle object, std::string_view name, std::size_t count,
+                                    std::string_view wanted) {
+    if (!py::isinstance<py::sequence>(object) || py::len(object) != count) wrong_type(object, name, wanted);
+    return py::reinterpret_borrow<py::sequence>(object);
+}
+
+[[nodiscard]] std::vector<walker::GaitChange> changes_argument(py::handle given) {
+    constexpr std::string_view name = "changes";
+    std::vector<walker::GaitChange> result;
+    if (given.is_none()) return result;
+    if (!py::isinstance<py::iterable>(given)) wrong_type(given, name, "a sequence of tuples");
+    for (const py::handle one : given) {
+        const py::sequence items = items_of(one, name, 3, "tuples (sample, phases, duty)");
+        const py::object sample = items[0], phases = items[1], duty = items[2];
+        const int index = whole_number(sample, name);
+        if (index < 0) value_error(name, "must have samples of times");
+        result.push_back(
+            {static_cast<std::size_t>(index), numbers_argument(phases, name), number(duty, name)});
+    }
+    return result;
+}
+
 struct WayArguments {
-    const py::object &times, &poses, &rest, &phases, &duty, &stride, &cadence, &up, &resets, &jump;
+    const py::object &times, &poses, &rest, &phases, &duty, &stride, &cadence, &up, &resets, &jump, &changes,
+        &transition, &strides, &cadences, &duties, &hip_height;
 };
 
 [[nodiscard]] walker::Way way_of(const WayArguments& given) {
@@ -97,21 +126,59 @@ struct WayArguments {
     way.up = vector(given.up, "up");
     way.resets = indices(given.resets, "resets");
     if (!given.jump.is_none()) way.jump = number(given.jump, "jump");
+    way.changes = changes_argument(given.changes);
+    way.transition = number(given.transition, "transition");
+    way.hip_height = number(given.hip_height, "hip_height");
+    if (!given.strides.is_none()) way.strides = numbers_argument(given.strides, "strides");
+    if (!given.cadences.is_none()) way.cadences = numbers_argument(given.cadences, "cadences");
+    if (!given.duties.is_none()) way.duties = numbers_argument(given.duties, "duties");
     return way;
 }
 
-[[nodiscard]] Walker walker_of(const ArrayLike& times, const ArrayLike& poses, const ArrayLike& rest,
-                               const Typed<"motus_native.WalkerGround | None">& ground,
-                               const ArrayLike& phases, const Number& duty, const Number& stride,
-                               const Number& cadence, const Number& clearance, const Number& reach_up,
-                               const Number& reach_down, const Number& minimum_step, const ArrayLike& up,
-                               const OptionalArrayLike& hips, const OptionalArrayLike& lengths,
-                               const OptionalArrayLike& bodies, const OptionalWholeNumbers& resets,
-                               const OptionalNumber& jump, const Number& frequency, const Number& damping,
-                               const Number& response, const Number& height, const Number& tilt,
-                               const ArrayLike& forward, const Number& ankle, const Number& heel,
-                               const Number& toe, const Number& strike, const Number& push) {
-    walker::Way way = way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump});
+/// A quaternion w, x, y, z.
+[[nodiscard]] glm::dquat turn_argument(py::handle object, std::string_view name) {
+    const std::vector<double> parts = numbers_argument(object, name);
+    if (parts.size() != 4) value_error(name, "must have rotations of the shape (4,)");
+    return {parts[0], parts[1], parts[2], parts[3]};
+}
+
+[[nodiscard]] std::vector<walker::ChosenStep> chosen_argument(py::handle given) {
+    constexpr std::string_view name = "chosen";
+    std::vector<walker::ChosenStep> result;
+    if (given.is_none()) return result;
+    if (!py::isinstance<py::iterable>(given)) wrong_type(given, name, "a sequence of tuples");
+    for (const py::handle one : given) {
+        const py::sequence items = items_of(one, name, 5, "tuples (leg, time, offset, turn, fixed)");
+        const py::object leg = items[0], time = items[1], offset = items[2], turn = items[3],
+                         fixed = items[4];
+        const int row = whole_number(leg, name);
+        if (row < 0) value_error(name, "must have legs of rest");
+        walker::ChosenStep step{static_cast<std::size_t>(row), number(time, name), vector(offset, name),
+                                number(turn, name), std::nullopt};
+        if (!fixed.is_none()) {
+            const py::sequence stand = items_of(fixed, name, 2, "None or tuples (place, rotation)");
+            const py::object place = stand[0], rotation = stand[1];
+            step.fixed = walker::Stand{vector(place, name), turn_argument(rotation, name)};
+        }
+        result.push_back(step);
+    }
+    return result;
+}
+
+[[nodiscard]] Walker walker_of(
+    const ArrayLike& times, const ArrayLike& poses, const ArrayLike& rest,
+    const Typed<"motus_native.WalkerGround | None">& ground, const ArrayLike& phases, const Number& duty,
+    const Number& stride, const Number& cadence, const Number& clearance, const Number& reach_up,
+    const Number& reach_down, const Number& minimum_step, const ArrayLike& up, const OptionalArrayLike& hips,
+    const OptionalArrayLike& lengths, const OptionalArrayLike& bodies, const OptionalWholeNumbers& resets,
+    const OptionalNumber& jump, const Number& frequency, const Number& damping, const Number& response,
+    const Number& height, const Number& tilt, const ArrayLike& forward, const Number& ankle,
+    const Number& heel, const Number& toe, const Number& strike, const Number& push,
+    const ChosenSteps& chosen, const GaitChanges& changes, const Number& transition,
+    const OptionalArrayLike& strides, const OptionalArrayLike& cadences, const OptionalArrayLike& duties,
+    const Number& hip_height) {
+    walker::Way way = way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump, changes,
+                              transition, strides, cadences, duties, hip_height});
     walker::WalkSettings settings;
     settings.clearance = number(clearance, "clearance");
     settings.reach_up = number(reach_up, "reach_up");
@@ -126,6 +193,7 @@ struct WayArguments {
     settings.tilt = number(tilt, "tilt");
     settings.soles = {vector(forward, "forward"), number(ankle, "ankle"),   number(heel, "heel"),
                       number(toe, "toe"),         number(strike, "strike"), number(push, "push")};
+    settings.chosen = chosen_argument(chosen);
     const Ground* on =
         ground.is_none() ? nullptr : &instance<Ground>(ground, "ground", "a WalkerGround or None");
     const py::gil_scoped_release released;
@@ -185,8 +253,9 @@ template <class Write>
 }
 
 [[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> steps(const Walker& self) {
-    std::vector<int> legs;
-    std::vector<double> lifts, touches;
+    std::vector<int> legs, chosen;
+    std::vector<double> lifts, touches, middles;
+    std::vector<glm::dquat> turns;
     std::vector<glm::dvec3> starts, ends, apexes;
     for (std::size_t leg = 0; leg < self.leg_count(); ++leg) {
         for (const walker::Footstep& step : self.steps(leg)) {
@@ -196,10 +265,18 @@ template <class Write>
             starts.push_back(step.start);
             ends.push_back(step.end);
             apexes.push_back(0.5 * (step.start + step.end) + step.rise);
+            middles.push_back(step.middle);
+            turns.push_back(step.end_turn);
+            chosen.push_back(step.chosen ? static_cast<int>(*step.chosen) : -1);
         }
     }
+    DoubleArray rotations = new_array({turns.size(), 4});
+    const std::span<glm::dquat> rows = quaternions_in(rotations.mutable_data(), turns.size());
+    std::ranges::copy(turns, rows.begin());
+    rows_from_quaternions(rows);
     return py::dict("leg"_a = array_of(legs), "lift"_a = array_of(lifts), "touch"_a = array_of(touches),
-                    "start"_a = to_array(starts), "end"_a = to_array(ends), "apex"_a = to_array(apexes));
+                    "start"_a = to_array(starts), "end"_a = to_array(ends), "apex"_a = to_array(apexes),
+                    "middle"_a = array_of(middles), "turn"_a = rotations, "chosen"_a = array_of(chosen));
 }
 
 [[nodiscard]] std::string_view name_of(walker::Trouble trouble) {
@@ -249,6 +326,15 @@ forward: of the feet, in the body's space, of which the part across up counts.  
 sole.  heel, toe, >= 0: how far behind and ahead of a foot's place its sole rolls.  strike, push, rad, [0, pi/2]: how much the toe
 is up when a heel touches down, and the heel when a toe lifts; less in steps shorter than the stride, the other way round in
 steps that go backwards.
+chosen: footholds that are chosen by hand, tuples (leg, time, offset, turn, fixed): of the stand of a leg at a time, s, or of the
+swing before it, the rest place below which ground is looked for is moved by offset (3,), in the body's space, and the sole is
+turned by turn, rad, about the ground's normal, counter-clockwise from above. fixed: None, or (place (3,), rotation (4,)), w, x,
+y, z, of the foot with its flat sole, which stands there whatever body and ground do. Such footholds are never replaced by nearer
+ones; of several for one stand the last one counts.
+changes: of the gait over time, tuples (sample, phases (n,), duty) in the order of samples: from there on legs go over to this gait
+within `transition` cycles, [1, 1000], each by half a cycle at most, while feet that stand stay.  strides, cadences, duties (k,) or
+None: at the samples, in place of stride, cadence, and the duty of all gaits. A step has the stride and the duty of when it lifts.
+hip_height, [0, 1e6]: above 0 feet stand for the duty's share of walker_natural_stride() at the body's speed, in place of stride.
 Raises ValueError or TypeError that names the argument, also if more than 1,000,000 steps would be planned.)")
         .def(py::init(&walker_of), "times"_a, "poses"_a, "rest"_a, "ground"_a = py::none(), py::kw_only(),
              "phases"_a, "duty"_a = 0.5, "stride"_a = 0.5, "cadence"_a = 1.0, "clearance"_a = 0.1,
@@ -257,7 +343,9 @@ Raises ValueError or TypeError that names the argument, also if more than 1,000,
              "bodies"_a = py::none(), "resets"_a = py::none(), "jump"_a = py::none(), "frequency"_a = 2.0,
              "damping"_a = 1.0, "response"_a = 0.0, "height"_a = 1.0, "tilt"_a = 1.0,
              "forward"_a = py::make_tuple(0.0, 1.0, 0.0), "ankle"_a = 0.0, "heel"_a = 0.0, "toe"_a = 0.0,
-             "strike"_a = 0.0, "push"_a = 0.0)
+             "strike"_a = 0.0, "push"_a = 0.0, "chosen"_a = py::none(), "changes"_a = py::none(),
+             "transition"_a = 1.0, "strides"_a = py::none(), "cadences"_a = py::none(),
+             "duties"_a = py::none(), "hip_height"_a = 0.0)
         .def(
             "feet",
             [](const Walker& self, const ArrayLike& times) {
@@ -305,7 +393,8 @@ Cycles since the first sample or the last jump, at times: a float or (m,).)")
         .def_property_readonly("leg_count", &Walker::leg_count, "How many legs there are.")
         .def_property_readonly("steps", &steps, R"(
 All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
-foot is half-way. If lift equals touch the foot is put there at once: at the first sample and at jumps.)")
+foot is half-way; middle (s,), s, of the stand; turn (s, 4), w, x, y, z, of the flat sole on `end`; chosen (s,) int32: which of
+`chosen` it follows, -1 for none. If lift equals touch the foot is put there at once: at the first sample and at jumps.)")
         .def_property_readonly("problems", &problems, R"(
 Problems with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
 foot stands on its rest place, 'out_of_reach' of the hip, and 'no_length' of a leg.)")
@@ -326,6 +415,19 @@ half of a side with the rear half of the other; 'pace', all left legs, then all 
 back to the front, the sides half a cycle apart; 'run', as a trot with all feet in the air in between; 'canter', three beats, the
 left side leads; 'gallop', four beats, the left side leads; 'hop', all together.
 rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
+Raises ValueError or TypeError that names the argument.)");
+    m.def(
+        "walker_natural_stride",
+        [](const ArrayLike& speeds, const Number& hip_height) {
+            const double height = number(hip_height, "hip_height");
+            return map_numbers(Numbers(speeds, "speeds"), phase_cost,
+                               [&](double speed) { return walker::natural_stride(speed, height); });
+        },
+        "speeds"_a, "hip_height"_a, R"(
+How far a body goes from a touch of a foot to the next touch of the same foot, m, as animals of all sizes have it: 2.3 h F^0.3
+with the Froude number F = v^2 / (g h), of at least 0.001, and g = 9.81 m/s^2.
+
+speeds: v, m/s, a number or (m,), hip_height: h, m, all from 0 to 1e12. Returns a float or (m,).
 Raises ValueError or TypeError that names the argument.)");
     py::class_<Ground, std::shared_ptr<Ground>>(m, "WalkerGround", py::module_local(), R"(
 The ground that feet stand on, on either side of its surfaces; it does not move. Immutable: made once, for any number of Walkers.

@@ -115,7 +115,30 @@ struct Seats {
     return 0.5;
 }
 
+/// The tenth root of a number from 1e-3 to 1e40, by Newton's method: by arithmetic and square roots alone.
+[[nodiscard]] double tenth_root(double x) {
+    const double square = std::sqrt(x);
+    double root = std::sqrt(std::sqrt(square));  // x^(1/8): above the root for x > 1, and not far below it
+    constexpr int steps = 30;
+    for (int step = 0; step < steps; ++step) {
+        const double fourth = root * root * root * root;
+        root = (4.0 * root + square / fourth) / 5.0;
+    }
+    return root;
+}
+
 }  // namespace
+
+double natural_stride(double speed, double hip_height) {
+    constexpr double largest = 1e12, gravity = 9.81, least = 1e-3, share = 2.3;
+    require(speed >= 0.0 && speed <= largest, "speed: must be from 0 to 1e12");
+    require(hip_height >= 0.0 && hip_height <= largest, "hip_height: must be from 0 to 1e12");
+    if (hip_height == 0.0) return 0.0;
+    constexpr double most = 1e36;
+    const double froude = std::clamp(speed * speed / (gravity * hip_height), least, most);
+    const double root = tenth_root(froude);
+    return share * hip_height * root * root * root;
+}
 
 Pattern pattern_of(Gait gait, std::span<const glm::dvec3> rest, const glm::dvec3& forward,
                    const glm::dvec3& up) {

@@ -42,6 +42,8 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
     double cycles = 0.0;
     for (std::size_t stretch = 0; stretch < trajectory.stretch_count(); ++stretch)
         cycles += trajectory.last_phase(stretch) + at_ends;
+    // Legs may go over to a gait by half a cycle.
+    cycles += 0.5 * static_cast<double>(trajectory.way().changes.size());
     return cycles * static_cast<double>(trajectory.way().rest.size());
 }
 
@@ -100,8 +102,9 @@ void Planner::find_place(Footfall& fall) const {
 
 Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) const {
     const Way& way = trajectory_.way();
-    const double own = way.phases[leg], swing = 1.0 - way.duty;
     const double begin = way.times[trajectory_.first_sample(stretch)];
+    const double own = trajectory_.first_phase(stretch, leg), swing = 1.0 - trajectory_.duty(stretch, begin);
+    const double end = way.times[trajectory_.last_sample(stretch)];
     const bool is_slow = trajectory_.starts_slowly(stretch);
     // The stretch begins in cycle 0, maybe in its swing: of this the foot has so much before it. A body that
     // sets off has all feet on the ground: such swings begin then, or are over if little is left of them.
@@ -110,18 +113,19 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     const bool stands = before <= 0.0 || (is_slow && before < little);
     const int first = stands ? 0 : -1;
     // The first footfall whose stand is half over when the body comes to rest.
-    const auto last =
-        static_cast<int>(std::ceil(trajectory_.last_phase(stretch) + own - 1.0 + 0.5 * way.duty));
+    const auto last = static_cast<int>(
+        std::ceil(trajectory_.cycles(stretch, leg, end) + own - 1.0 + 0.5 * trajectory_.duty(stretch, end)));
     Footfalls falls;
     for (int cycle = first; cycle <= std::max(first, last); ++cycle) {
         const double lift = static_cast<double>(cycle) - own;
         Footfall fall;
-        fall.lift = trajectory_.time_at(stretch, lift);
-        fall.touch = trajectory_.time_at(stretch, lift + swing);
-        fall.until = trajectory_.time_at(stretch, lift + 1.0);
+        fall.lift = trajectory_.time_after(stretch, leg, lift);
+        fall.pace = {trajectory_.stride(stretch, fall.lift), trajectory_.duty(stretch, fall.lift)};
+        fall.touch = trajectory_.time_after(stretch, leg, lift + (1.0 - fall.pace.duty));
+        fall.until = trajectory_.time_after(stretch, leg, lift + 1.0);
         if (is_slow) fall.lift = std::max(fall.lift, begin);
-        const double middle = trajectory_.time_at(stretch, lift + 1.0 - 0.5 * way.duty);
-        fall.pose = trajectory_.pose(stretch, middle);
+        fall.middle = trajectory_.time_after(stretch, leg, lift + 1.0 - 0.5 * fall.pace.duty);
+        fall.pose = trajectory_.pose(stretch, fall.middle);
         fall.search = {in_world(fall.pose, way.rest[leg]), in_world(fall.pose, hips_[leg]),
                        trajectory_.axes(fall.pose).up};
         find_place(fall);
@@ -130,12 +134,62 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     const double put = falls.size() > 1 ? std::min(begin, falls[1].lift) : begin;
     falls.front().lift = falls.front().touch = put;
     falls.back().until = std::numeric_limits<double>::infinity();
+    choose(leg, stretch, falls);
     return falls;
 }
 
+double Planner::least_step(const Footfall& fall) const {
+    const double none = no_step * fall.pace.stride;
+    return fall.chosen ? none : std::max(settings_.minimum_step, none);
+}
+
+void Planner::choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
+    const auto is_here = [&](const ChosenStep& one) {
+        return one.leg == leg && trajectory_.stretch_at(one.time) == stretch;
+    };
+    if (std::ranges::none_of(settings_.chosen, is_here)) return;
+    // Footfalls between which there is no step are one stand, which is chosen as a whole.
+    std::vector<std::size_t> stands;
+    for (std::size_t i = 0; i < falls.size(); ++i) {
+        const bool goes_on = i > 0 && length_of(falls[i].place.point - falls[stands.back()].place.point) <=
+                                          least_step(falls[i]);
+        stands.push_back(goes_on ? stands.back() : i);
+    }
+    for (std::size_t one = 0; one < settings_.chosen.size(); ++one) {
+        const ChosenStep& step = settings_.chosen[one];
+        if (!is_here(step)) continue;
+        const auto after = std::ranges::upper_bound(falls, step.time, {}, &Footfall::lift);
+        const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - falls.begin() - 1, 0));
+        for (std::size_t i = stands[at]; i < falls.size() && stands[i] == stands[at]; ++i)
+            falls[i].chosen = one;
+    }
+    for (std::size_t i = 0; i < falls.size(); ++i) {
+        Footfall& fall = falls[i];
+        if (!fall.chosen) continue;
+        const ChosenStep& step = settings_.chosen[*fall.chosen];
+        if (step.fixed) {
+            fall.place = {step.fixed->place, soles_.normal(step.fixed->turn), 0.0};
+            fall.is_grounded = true;
+        } else if (stands[i] < i) {
+            fall.place = falls[stands[i]].place;
+            fall.is_grounded = falls[stands[i]].is_grounded;
+        } else {
+            fall.search.rest += glm::dmat3(fall.pose) * step.offset;
+            find_place(fall);
+        }
+    }
+}
+
+glm::dquat Planner::turn_of(const Footfall& fall) const {
+    if (!fall.chosen) return soles_.flat(fall.pose, fall.place.normal);
+    const ChosenStep& step = settings_.chosen[*fall.chosen];
+    const glm::dquat flat = step.fixed ? step.fixed->turn : soles_.flat(fall.pose, fall.place.normal);
+    return soles_.turned(flat, step.turn);
+}
+
 std::vector<Footstep> Planner::steps_of(const Footfalls& falls, bool looks_for_obstacles) const {
-    const double least = std::max(settings_.minimum_step, no_step * trajectory_.way().stride);
     std::vector<Footstep> steps;
+    std::vector<Pace> paces;
     const Footfall* before = nullptr;
     for (const Footfall& fall : falls) {
         Footstep step;
@@ -143,29 +197,33 @@ std::vector<Footstep> Planner::steps_of(const Footfalls& falls, bool looks_for_o
         step.touch = fall.touch;
         step.end = fall.place.point;
         step.end_normal = fall.place.normal;
-        step.end_turn = soles_.flat(fall.pose, fall.place.normal);
+        step.end_turn = turn_of(fall);
+        step.middle =
+            std::clamp(fall.middle, trajectory_.way().times.front(), trajectory_.way().times.back());
+        step.chosen = fall.chosen;
         step.is_grounded = fall.is_grounded;
         step.start = before != nullptr ? before->place.point : step.end;
         step.start_normal = before != nullptr ? before->place.normal : step.end_normal;
         step.start_turn = before != nullptr ? steps.back().end_turn : step.end_turn;
         if (before != nullptr) {
             const double length = length_of(step.end - step.start);
-            if (length <= least) continue;
+            if (length <= least_step(fall)) continue;
             const glm::dvec3 up = direction_or(before->search.up + fall.search.up, fall.search.up);
             const Clearing over =
                 looks_for_obstacles && ground_ != nullptr
                     ? clearing(*ground_, step.start - settings_.soles.ankle * step.start_normal,
                                step.end - settings_.soles.ankle * step.end_normal, up, settings_.reach_up)
                     : Clearing{};
-            const double share = std::min(1.0, length / (full_step * trajectory_.way().stride));
+            const double share = std::min(1.0, length / (full_step * fall.pace.stride));
             step.rise = (settings_.clearance * share + over.rise) * up;
             step.upwards = over.upwards;
             step.downwards = over.downwards;
         }
         steps.push_back(step);
+        paces.push_back(fall.pace);
         before = &fall;
     }
-    soles_.add_rolls(steps, trajectory_.way().stride, trajectory_.way().duty);
+    soles_.add_rolls(steps, paces);
     return steps;
 }
 
@@ -256,7 +314,7 @@ bool Planner::is_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& 
 bool Planner::move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
     bool has_moved = false;
     for (Footfall& fall : falls) {
-        if (!is_missed(leg, stretch, fall.place.point, fall.touch, fall.until)) continue;
+        if (fall.chosen || !is_missed(leg, stretch, fall.place.point, fall.touch, fall.until)) continue;
         for (const double share : nearer) {
             const auto place = foothold(moved_nearer(fall.search, share));
             if (!place || is_missed(leg, stretch, place->point, fall.touch, fall.until)) continue;

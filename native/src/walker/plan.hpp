@@ -38,7 +38,10 @@ class Planner {
         Search search;
         Contact place;
         bool is_grounded = true;
-        glm::dmat4 pose{1.0};  ///< of the body in the middle of the stand
+        double middle = 0.0;                  ///< of the stand, s
+        Pace pace;                            ///< of the gait when the foot lifts
+        glm::dmat4 pose{1.0};                 ///< of the body then
+        std::optional<std::size_t> chosen{};  ///< index in WalkSettings::chosen
     };
     /// Footfalls of a leg on one stretch; at the first one the foot is put.
     using Footfalls = std::vector<Footfall>;
@@ -51,6 +54,12 @@ class Planner {
     }
     [[nodiscard]] Footfalls footfalls(std::size_t leg, std::size_t stretch) const;
     void find_place(Footfall& fall) const;
+    /// Steps between nearer places are left out, m.
+    [[nodiscard]] double least_step(const Footfall& fall) const;
+    /// Puts footfalls where they are chosen to be.
+    void choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
+    /// Turn of the flat sole, from the body's space to the world.
+    [[nodiscard]] glm::dquat turn_of(const Footfall& fall) const;
     /// Where a foot is that stands on the ground that is found, its ankle above the sole.
     [[nodiscard]] std::optional<Contact> foothold(const Search& search) const;
     /// Moves footholds that are out of reach nearer to the hip. Returns whether there were any that could be

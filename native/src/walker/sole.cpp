@@ -36,6 +36,10 @@ glm::dquat SoleFrame::flat(const glm::dmat4& pose, const glm::dvec3& normal) con
     return glm::normalize(glm::quat_cast(world * glm::transpose(glm::dmat3(side_, ahead_, up_))));
 }
 
+glm::dquat SoleFrame::turned(const glm::dquat& flat, double angle) const {
+    return angle == 0.0 ? flat : glm::normalize(flat * glm::angleAxis(angle, up_));
+}
+
 SolePose SoleFrame::rolled(const glm::dvec3& place, const glm::dquat& flat, double pitch) const {
     if (pitch == 0.0) return {place, flat};
     const glm::dvec3 pivot = (pitch > 0.0 ? soles_.toe : -soles_.heel) * ahead_ - soles_.ankle * up_;
@@ -43,10 +47,11 @@ SolePose SoleFrame::rolled(const glm::dvec3& place, const glm::dquat& flat, doub
     return {place + flat * pivot - turn * pivot, turn};
 }
 
-void SoleFrame::add_rolls(std::vector<Footstep>& steps, double stride, double duty) const {
+void SoleFrame::add_rolls(std::vector<Footstep>& steps, std::span<const Pace> paces) const {
     for (std::size_t i = 1; i < steps.size(); ++i) {
         Footstep& step = steps[i];
         const double length = glm::dot(step.end - step.start, step.end_turn * ahead_);
+        const auto [stride, duty] = paces[i];
         const double share = std::clamp(length / stride, -1.0, 1.0);
         step.push = share * soles_.push;
         step.strike = -share * soles_.strike;

@@ -1,5 +1,6 @@
 #include "motus/walker/walker.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -39,6 +40,20 @@ void check(const Soles& soles) {
     require(is_pitch(soles.push), "push: must be from 0 to pi/2");
 }
 
+/// Checks a step that is chosen, and makes its turn one of unit length.
+void check(ChosenStep& step, std::size_t legs) {
+    require(step.leg < legs, "chosen: must have legs of rest");
+    require(std::isfinite(step.time), "chosen: must have finite times");
+    require(is_place(step.offset), "chosen: must have finite offsets, 1e12 at most");
+    require(is_length(std::abs(step.turn)), "chosen: must have finite turns, 1e12 at most");
+    if (!step.fixed) return;
+    require(is_place(step.fixed->place), "chosen: must have finite places, 1e12 at most");
+    glm::dquat& turn = step.fixed->turn;
+    const double size = std::max({std::abs(turn.w), std::abs(turn.x), std::abs(turn.y), std::abs(turn.z)});
+    require(is_finite(turn) && size > 0.0, "chosen: must have finite rotations that are not 0");
+    turn = glm::normalize(glm::dquat(turn.w / size, turn.x / size, turn.y / size, turn.z / size));
+}
+
 [[nodiscard]] WalkSettings checked(WalkSettings settings, const Way& way) {
     const std::size_t legs = way.rest.size(), samples = way.times.size();
     check(settings.soles);
@@ -60,6 +75,7 @@ void check(const Soles& soles) {
             require(is_place(glm::dvec3(body[column])), "bodies: must be finite, and 1e12 at most");
     for (const double length : settings.lengths)
         require(is_length(length), "lengths: must be from 0 to 1e12");
+    for (ChosenStep& step : settings.chosen) check(step, legs);
     return settings;
 }
 
@@ -117,7 +133,7 @@ std::span<const Footstep> Walker::steps(std::size_t leg) const {
 std::size_t Walker::bytes() const noexcept {
     return trajectory_.bytes() + steps_.bytes() + problems_.capacity() * sizeof(Problem) + leans_->bytes() +
            settings_.hips.capacity() * sizeof(glm::dvec3) + settings_.bodies.capacity() * sizeof(glm::dmat4) +
-           settings_.lengths.capacity() * sizeof(double);
+           settings_.lengths.capacity() * sizeof(double) + settings_.chosen.capacity() * sizeof(ChosenStep);
 }
 
 }  // namespace motus::walker

@@ -44,6 +44,10 @@ using namespace walker;
     way.rest = {{0.3, 0.3, -0.5}, {-0.3, 0.3, -0.5}};
     way.phases = {0.0, 0.5};
     way.jump = 5.0;
+    way.strides = {0.5, 0.5, 0.4, 0.4};
+    way.cadences = {1.0, 1.0, 0.8, 0.8};
+    way.duties = {0.5, 0.5, 0.6, 0.6};
+    way.changes = {{2, {0.5, 0.25}, 0.6}};
     return way;
 }
 /// The last row of a matrix is not read.
@@ -65,6 +69,11 @@ using namespace walker;
         member("duty", &Way::duty, from(0.05, 0.95)), member("stride", &Way::stride, from(1e-6, 1e6).open()),
         member("cadence", &Way::cadence, from(1e-3, 1e3)),
         member("up", &Way::up, direction().open().in_words("up to 1e12 in size, not 0")),
+        member("transition", &Way::transition, from(1.0, 1e3)),
+        member("hip_height", &Way::hip_height, from(0.0, 1e6)),
+        member("strides", &Way::strides, from(1e-6, 1e6).open(), as_many_or_none("`times`")),
+        member("cadences", &Way::cadences, from(1e-3, 1e3), as_many_or_none("`times`")),
+        member("duties", &Way::duties, from(0.05, 0.95), as_many_or_none("`times`")),
         member("jump", &Way::jump, numbers("> 0, or infinity", [](double x) { return x > 0.0; })));
 }
 [[nodiscard]] const BodyTrajectory& sample_trajectory() {
@@ -86,7 +95,7 @@ void add_trajectories(Table& table) {
         way())
         .costs("O(samples legs)")
         .allocates(Memory::scratch)
-        .adds("1 to 100,000 samples, 1 to 256 legs; `resets`: rising indices");
+        .adds("1 to 100,000 samples, 1 to 256 legs; `resets`: rising indices; `changes`: by rising indices");
     const auto stretch = arg("stretch", std::size_t{0}, index(1, "a stretch"));
     const Domain time = any();
     add(
@@ -124,6 +133,37 @@ void add_trajectories(Table& table) {
         table, "walker::BodyTrajectory::time_at(stretch, phase)",
         [](std::size_t of_it, double at) { return sample_trajectory().time_at(of_it, at); }, stretch,
         arg("phase", 0.7, time.unbounded()))
+        .costs("O(log n)");
+    const auto of_leg = arg("leg", std::size_t{0}, index(2, "a leg"));
+    add(
+        table, "walker::BodyTrajectory::first_phase(stretch, leg)",
+        [](std::size_t of_it, std::size_t leg) { return sample_trajectory().first_phase(of_it, leg); },
+        stretch, of_leg)
+        .costs("O(1)");
+    add(
+        table, "walker::BodyTrajectory::cycles(stretch, leg, time)",
+        [](std::size_t of_it, std::size_t leg, double at) {
+            return sample_trajectory().cycles(of_it, leg, at);
+        },
+        stretch, of_leg, arg("time", 0.7, time.unbounded()))
+        .costs("O(log n)");
+    add(
+        table, "walker::BodyTrajectory::time_after(stretch, leg, cycles)",
+        [](std::size_t of_it, std::size_t leg, double cycles) {
+            return sample_trajectory().time_after(of_it, leg, cycles);
+        },
+        stretch, of_leg, arg("cycles", 0.7, time.unbounded()))
+        .costs("O(log n)");
+    const Domain finds = any_at_rest("any");
+    add(
+        table, "walker::BodyTrajectory::duty(stretch, time)",
+        [](std::size_t of_it, double at) { return sample_trajectory().duty(of_it, at); }, stretch,
+        arg("time", 0.7, finds))
+        .costs("O(log n)");
+    add(
+        table, "walker::BodyTrajectory::stride(stretch, time)",
+        [](std::size_t of_it, double at) { return sample_trajectory().stride(of_it, at); }, stretch,
+        arg("time", 0.7, finds))
         .costs("O(log n)");
     add(
         table, "walker::BodyTrajectory::axes(pose)",
@@ -166,6 +206,12 @@ void add_grounds(Table& table) {
         .costs("O(n log n)")
         .allocates(Memory::scratch)
         .adds("256 legs at most; `up` is not along `forward`");
+    const Domain size = from(0.0, 1e12);
+    add(
+        table, "walker::natural_stride(speed, hip_height)",
+        [](double speed, double height) { return natural_stride(speed, height); }, arg("speed", 1.5, size),
+        arg("hip_height", 0.9, size))
+        .costs("O(1)");
     const auto cast = [](const Ground& ground) {
         return ground.ray({0.3, 0.3, 5.0}, {0.0, 0.0, -1.0}, 20.0);
     };
@@ -278,11 +324,18 @@ void add_walkers(Table& table) {
     settings.bodies.assign(4, glm::dmat4(1.0));
     const Soles soles{{0.0, 1.0, 0.0}, 0.1, 0.1, 0.2, 0.3, 0.8};
     const Domain pitch = from(0.0, 0.5 * std::numbers::pi).in_words("0 to π/2");
+    const ChosenStep chosen{0, 0.5, {0.1, 0.0, 0.0}, 0.2, std::nullopt};
+    const Stand stand{{0.2, 0.3, 0.4}, {0.8, 0.0, 0.0, 0.6}};
+    const Domain turn = direction().open().in_words("finite, not 0");
     add(
         table, "walker::Walker::Walker(way, settings, ground, executor)",
-        [](const Way& given, const WalkSettings& by, const Soles& on) {
+        [](const Way& given, const WalkSettings& by, const Soles& on, const ChosenStep& moved,
+           const Stand& there) {
             WalkSettings all = by;
             all.soles = on;
+            all.chosen = {moved, moved};
+            all.chosen.back().leg = 1;
+            all.chosen.back().fixed = there;
             const Walker made(given, all, nullptr, 1);
             return std::tuple(made.foot(0, 0.7), made.body(0.7), made.phase(0.7), made.settled());
         },
@@ -299,7 +352,11 @@ void add_walkers(Table& table) {
            member("tilt", &WalkSettings::tilt, from(0.0, 1.0))),
         of(soles, member("forward", &Soles::forward, finite().open()), member("ankle", &Soles::ankle, size),
            member("heel", &Soles::heel, size), member("toe", &Soles::toe, size),
-           member("strike", &Soles::strike, pitch), member("push", &Soles::push, pitch)))
+           member("strike", &Soles::strike, pitch), member("push", &Soles::push, pitch)),
+        of(chosen, member("chosen", &ChosenStep::time, finite()),
+           member("chosen", &ChosenStep::offset, up_to(1e12).open()),
+           member("chosen", &ChosenStep::turn, up_to(1e12).open())),
+        of(stand, member("chosen", &Stand::place, up_to(1e12).open()), member("chosen", &Stand::turn, turn)))
         .costs("O(steps) rays")
         .allocates(Memory::scratch)
         .adds("1,000,000 steps at most");

@@ -135,10 +135,14 @@ class WalkerTest(unittest.TestCase):
 
     def test_steps(self):
         steps = walker().steps
-        self.assertEqual(list(steps), ["leg", "lift", "touch", "start", "end", "apex"])
+        self.assertEqual(list(steps), ["leg", "lift", "touch", "start", "end", "apex", "middle", "turn", "chosen"])
         count = len(steps["leg"])
         self.assertEqual(steps["leg"].dtype, np.int32)
-        for name in ("lift", "touch"):
+        self.assertEqual(steps["chosen"].dtype, np.int32)
+        self.assertEqual(set(steps["chosen"]), {-1})
+        self.assertEqual(steps["turn"].shape, (count, 4))
+        np.testing.assert_allclose(np.linalg.norm(steps["turn"], axis=1), 1.0)
+        for name in ("lift", "touch", "middle"):
             self.assertEqual(steps[name].shape, (count,))
         for name in ("start", "end", "apex"):
             self.assertEqual(steps[name].shape, (count, 3))
@@ -148,6 +152,71 @@ class WalkerTest(unittest.TestCase):
         long = np.linalg.norm(steps["end"] - steps["start"], axis=1) > 0.125
         self.assertTrue(long.any())
         np.testing.assert_allclose(steps["apex"][long][:, 2], 0.1)
+
+    def test_chosen_steps(self):
+        planned = walker().steps
+        row = np.flatnonzero(planned["leg"] == 2)[2]
+        time = planned["middle"][row]
+        fixed = (3.0, 2.0, 1.0), (0.0, 0.0, 0.0, 2.0)
+        steps = walker(chosen=[(np.int32(2), time, (0.1, 0.2, 0.0), 0.5, None)]).steps
+        np.testing.assert_allclose(steps["end"][row], planned["end"][row] + (0.1, 0.2, 0.0), atol=1e-12)
+        np.testing.assert_allclose(steps["turn"][row], (np.cos(0.25), 0.0, 0.0, np.sin(0.25)), atol=1e-12)
+        np.testing.assert_array_equal(np.flatnonzero(steps["chosen"] == 0), [row])
+        np.testing.assert_allclose(steps["start"][row + 1], steps["end"][row])
+        steps = walker(chosen=((2, time, (0.1, 0.2, 0.0), 0.0, fixed),)).steps
+        np.testing.assert_array_equal(steps["end"][row], fixed[0])
+        np.testing.assert_array_equal(steps["turn"][row], (0.0, 0.0, 0.0, 1.0))
+        for wrong in (
+            7,
+            [7],
+            [(2, time)],
+            [(2.5, time, (0, 0, 0), 0.0, None)],
+            [(8, time, (0, 0, 0), 0.0, None)],
+            [(-1, time, (0, 0, 0), 0.0, None)],
+            [(2, "now", (0, 0, 0), 0.0, None)],
+            [(2, time, (0, 0), 0.0, None)],
+            [(2, time, (0, 0, 0), np.nan, None)],
+            [(2, time, (0, 0, 0), 0.0, 1)],
+            [(2, time, (0, 0, 0), 0.0, ((0, 0, 0), (0, 0, 0)))],
+            [(2, time, (0, 0, 0), 0.0, ((0, 0, 0), (0, 0, 0, 0)))],
+        ):
+            with self.assertRaisesRegex((ValueError, TypeError), "^chosen: "):
+                walker(chosen=wrong)
+
+    def test_gaits_over_time(self):
+        walk, trot = (native.walker_gait(name, REST) for name in ("ripple", "trot"))
+        given = {"poses": poses_ahead(0.0), "phases": walk[0], "duty": walk[1]}
+        count = len(TIMES)
+        changed = walker(
+            **given, changes=[(np.int64(24), *trot)], transition=2.0, strides=np.full(count, 0.3), cadences=np.full(count, 2.0)
+        )
+        np.testing.assert_allclose(changed.phase(3.0), 6.0)
+        plain = walker(**given, cadence=2.0)
+        np.testing.assert_array_equal(changed.swing(0.9), plain.swing(0.9))
+        self.assertEqual(walker(**given, duties=np.full(count, 0.25)).leg_count, 8)
+        for name, wrong in (
+            ("changes", (7, [7], [(1,)], [(-1, *trot)], [(97, *trot)], [(0.5, *trot)], [(3, trot[0][1:], 0.5)], [(3, trot[0], 2.0)])),
+            ("transition", (0.0, np.nan)),
+            ("strides", (0.3, np.full(count, 0.0), np.ones(3))),
+            ("cadences", (np.full(count, -1.0),)),
+            ("duties", (np.full(count, np.nan),)),
+            ("hip_height", (-1.0, np.inf)),
+        ):
+            for value in wrong:
+                with self.assertRaisesRegex((ValueError, TypeError), f"^{name}: "):
+                    walker(**{name: value})
+
+    def test_natural_strides(self):
+        speeds = np.array([0.5, 1.4, 3.0])
+        wanted = 2.3 * 0.9 * (speeds**2 / (9.81 * 0.9)) ** 0.3
+        np.testing.assert_allclose(native.walker_natural_stride(speeds, 0.9), wanted)
+        self.assertAlmostEqual(native.walker_natural_stride(1.4, hip_height=0.9), wanted[1])
+        steady = poses_ahead(0.0)
+        steady[:, 1, 3] = 1.4 * TIMES
+        np.testing.assert_allclose(walker(poses=steady, hip_height=0.9, cadence=0.1).phase(2.0), 2.0 * 1.4 / wanted[1])
+        for arguments, name in (((-1.0, 0.9), "speed"), ((1.0, -0.9), "hip_height"), (("now", 0.9), "speeds")):
+            with self.assertRaisesRegex((ValueError, TypeError), f"^{name}"):
+                native.walker_natural_stride(*arguments)
 
     def test_problems(self):
         for settings, reason in (

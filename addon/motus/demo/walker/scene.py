@@ -1,11 +1,11 @@
-"""The scene "Motus Walker": a spider walks over the stones of a garden and up a wall, followed by her young."""
+"""The scene "Motus Walker": a spider walks over the stones of a garden and up a wall, followed by her young; toys go on a turntable."""
 
 import bpy
 import numpy as np
 from mathutils import Vector
 
 from ..stage import lighting, shapes, staging
-from . import garden
+from . import garden, toys
 
 SCENE_NAME = "Motus Walker"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 288
@@ -43,6 +43,7 @@ def build(context):
     mother = _add_spider(beasts, land, "Spider", SPAN, START, 0.0, (0.72, 0.15, 0.015, 1.0))
     for index, (span, behind, aside, color) in enumerate(YOUNG):
         _add_spider(beasts, land, f"Young {index + 1}", span, START - behind, aside, color)
+    toys.build(beasts, views)
     _add_camera(scene, views, mother)
     scene.frame_set(1)
     return scene

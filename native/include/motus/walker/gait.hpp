@@ -1,7 +1,10 @@
 // The order in which legs step: a phase for each leg and one duty factor, as in McGhee, "Some finite state
 // aspects of legged locomotion" (1968). Insects step from the back to the front on each side: Wilson, "Insect
-// walking" (1966). Phases of canter and gallop: Alexander, "The gaits of bipedal and quadrupedal animals"
-// (1984); lateral sequence of walks: Hildebrand, "The quadrupedal gaits of vertebrates" (1989).
+// walking" (1966). Symmetrical gaits of quadrupeds, such as walk, trot and pace: Hildebrand, "Symmetrical
+// gaits of horses" (1965). Gallops are transverse, both leading feet on one side: Biancardi, Minetti,
+// "Biomechanical determinants of transverse and rotary gallop in cursorial mammals" (2012). The phases of
+// canter and gallop are round numbers in the order of these feet: measured ones differ from speed to speed.
+// Length of strides: Alexander, "Estimates of speeds of dinosaurs" (1976).
 //
 // Costs: O(n log n). Allocates the result and some memory for its work. Any number of threads at once.
 #pragma once
@@ -46,5 +49,10 @@ inline constexpr double least_duty = 0.05, most_duty = 0.95;
 /// not finite, or forward and up are parallel or zero.
 [[nodiscard]] Pattern pattern_of(Gait gait, std::span<const glm::dvec3> rest, const glm::dvec3& forward,
                                  const glm::dvec3& up);
+
+/// How far a body goes from a touch of a foot to the next touch of the same foot, m, as animals of all sizes
+/// have it: 2.3 h F^0.3 with the Froude number F = v^2 / (g h), of at least 0.001, and g = 9.81 m/s^2.
+/// speed: v, m/s, and hip_height: h, m, both from 0 to 1e12, else std::invalid_argument.
+[[nodiscard]] double natural_stride(double speed, double hip_height);
 
 }  // namespace motus::walker

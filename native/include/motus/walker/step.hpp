@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,8 @@ struct Footstep {
     /// over the heel.
     double push = 0.0, strike = 0.0;
     double pushing = 0.0, striking = 0.0;  ///< s before `lift`, and after `touch`, for which the sole rolls
+    double middle = 0.0;                   ///< s, of the stand, or of its first cycle while the body rests
+    std::optional<std::size_t> chosen{};   ///< index of the ChosenStep that `end` and `end_turn` follow
 
     /// Fraction of the swing at a time: 0 before the foot lifts, 1 from the touch on.
     [[nodiscard]] double through(double time) const {

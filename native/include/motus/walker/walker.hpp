@@ -34,6 +34,22 @@ struct Soles {
     double push = 0.0;                  ///< rad, [0, pi/2], by which the heel is up when a toe lifts
 };
 
+/// Where a foot stands with its sole flat.
+struct Stand {
+    glm::dvec3 place{0.0};                ///< of the foot, in the world
+    glm::dquat turn{1.0, 0.0, 0.0, 0.0};  ///< of the sole, from the body's space to the world, not 0
+};
+
+/// A foothold that is chosen by hand in place of the planned one: of the stand at a time, of which the body
+/// may rest for several cycles.
+struct ChosenStep {
+    std::size_t leg = 0;
+    double time = 0.0;       ///< s, in the stand, or in the swing before it
+    glm::dvec3 offset{0.0};  ///< of the rest place below which ground is looked for, in the body's space
+    double turn = 0.0;       ///< rad, of the sole about the ground's normal, counter-clockwise from above
+    std::optional<Stand> fixed{};  ///< the foot stands there whatever body and ground do, but for `turn`
+};
+
 /// How feet step and the body follows them.
 struct WalkSettings {
     /// m, >= 0, height of a swinging foot half-way, above the ground under it; less in steps that are shorter
@@ -51,6 +67,7 @@ struct WalkSettings {
     double height = 1.0;                          ///< share of the height that the body follows, [0, 1]
     double tilt = 1.0;
     Soles soles{};
+    std::vector<ChosenStep> chosen{};  ///< of several for one stand the last one counts
 };
 
 /// A foot at a time.

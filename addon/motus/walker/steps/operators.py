@@ -1,0 +1,183 @@
+"""Operators motus.walker_step, which drags, turns and locks a step, and motus.walker_step_remove, which lets it be planned again."""
+
+import math
+
+import bpy
+from mathutils import Vector
+
+from ...core.interface.dragging.drag import PointDrag
+from ...core.interface.operators import OBJECT_OR_POSE_MODE, OfAnObject, object_keyword
+from ...core.interface.rows import Row, Rows, is_given
+from ...core.measures import scene_time
+from ...core.refusals import Refused, check_finite
+from ...core.translations import tr
+from .. import legs, targets
+from . import chosen, handles, prints
+
+CHANGES = "location", "turn", "lock"
+"""Keywords that say what is changed of a step."""
+
+
+class Held:
+    """A step of a walker while one of its handles is dragged: pull() moves or turns the foot, restore() takes that back."""
+
+    def __init__(self, context, owner, handle):
+        self._edit = chosen.Edit(context, owner, handle.step)
+        self._owner, self._step, self.turns = owner, handle.step, handle.turns
+        self._inverse = chosen.space(context, owner).inverted_safe()
+        self._turn = owner.motus.walker.steps[handle.step.entry].turn if handle.step.entry >= 0 else 0.0
+        self.turn = self._turn
+
+    def pull(self, place):
+        """Drag the handle to a place in the world."""
+        place = self._inverse @ Vector(place)
+        if self.turns:
+            self.turn = self._turn + handles.angle(self._step, self._owner.motus.walker, place)
+            self._edit.turn(self.turn)
+        else:
+            self._edit.move(place)
+
+    def restore(self):
+        """Take back all that was changed of the step."""
+        self._edit.restore()
+
+
+class MOTUS_OT_walker_step(PointDrag, OfAnObject, bpy.types.Operator):
+    bl_idname = "motus.walker_step"
+    bl_label = "Edit Step"
+    bl_description = "Drag, turn or lock a step of a walker; the plan around it follows"
+
+    object: object_keyword("Name of the body that walks; empty takes the active object")
+    foot: bpy.props.StringProperty(name="Foot", description="Name of the foot: its bone, or its object", options={'SKIP_SAVE'})
+    frame: bpy.props.FloatProperty(
+        name="Frame",
+        description="Frame on which the foot stands, or swings to its foothold; the present one if it is not given",
+        options={'SKIP_SAVE'},
+    )
+    location: bpy.props.FloatVectorProperty(
+        name="Location",
+        description="Place in the world that the foot is dragged to; the ground there is what it stands on, unless the step is locked",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
+    turn: bpy.props.FloatProperty(
+        name="Turn",
+        description="Angle by which the foot is turned about the ground's normal",
+        subtype='ANGLE',
+        soft_min=-math.pi,
+        soft_max=math.pi,
+        options={'SKIP_SAVE'},
+    )
+    lock: bpy.props.BoolProperty(
+        name="Lock", description="Have the foot stand where it stands now, whatever body and ground do", options={'SKIP_SAVE'}
+    )
+    modes = OBJECT_OR_POSE_MODE
+    needs_native = True
+    redo = (Rows(tuple(Row(name, when=is_given(name)) for name in CHANGES)),)
+    for_scripts = ("frame",)
+    found = staticmethod(targets.editable_walker)
+
+    def run(self, context):
+        owner = self.found(context, self.object)
+        if not any(map(self.is_given, CHANGES)):
+            raise Refused(tr("Say what to change of the step: location, turn or lock is missing"))
+        check_finite(self, ("frame", "location", "turn"))
+        context.view_layer.update()
+        frame = scene_time.keys_time(context.scene, self.frame) if self.is_given("frame") else scene_time.present(context.scene)
+        edit = chosen.Edit(context, owner, chosen.step_at(context, owner, chosen.leg_named(owner, self.foot), frame))
+        if self.is_given("lock"):
+            (edit.lock if self.lock else edit.unlock)()
+        if self.is_given("location"):
+            edit.move(chosen.space(context, owner).inverted_safe() @ Vector(self.location))
+        if self.is_given("turn"):
+            edit.turn(self.turn)
+
+    def invoke(self, context, event):
+        if context.window is None or any(map(self.is_given, CHANGES)):
+            return self.execute(context)
+        try:
+            self.object = self.found(context, self.object).name
+            return self._begin(context, event)
+        except Refused as refusal:
+            return self.refuse(refusal)
+
+    def _show_keys(self, context):
+        context.workspace.status_text_set(
+            tr("Press the left mouse button on a foothold of the walker and drag it; Esc or the right button cancels")
+        )
+
+    def _hold(self, context, region, view, mouse):
+        owner = self.found(context, self.object)  # the walker may have been removed while the operator waited for the mouse
+        picked = handles.pick(context, owner, region, view.perspective_matrix, mouse)
+        if picked is None:
+            return None
+        handle, place = picked
+        self.foot = legs.label(owner.motus.walker.legs[handle.step.leg])
+        self.frame = scene_time.time_line(context.scene, handle.step.middle * scene_time.fps(context.scene))
+        self._held = Held(context, owner, handle)
+        return Vector(handle.place), Vector(place)
+
+    def _move(self, place):
+        self._held.pull(place)
+        if self._held.turns:
+            self.turn = self._held.turn
+        else:
+            self.location = place
+
+
+class MOTUS_OT_walker_step_remove(OfAnObject, bpy.types.Operator):
+    bl_idname = "motus.walker_step_remove"
+    bl_label = "Plan Step Again"
+    bl_description = "Let a step that was dragged, turned or locked be planned again"
+
+    object: object_keyword("Name of the body that walks; empty takes the active object")
+    index: bpy.props.IntProperty(name="Index", description="Index of the step in the list", default=-1, options={'SKIP_SAVE'})
+    modes = OBJECT_OR_POSE_MODE
+
+    @staticmethod
+    def found(context, name):
+        """Return the walker of this name, or of the active object. Raises Refused if none of its steps is chosen, or it is baked."""
+        owner = targets.editable_walker(context, name)
+        if not owner.motus.walker.steps:
+            raise Refused(tr("No step of {object} was changed").format(object=owner.name))
+        return owner
+
+    def run(self, context):
+        owner = self.found(context, self.object)
+        index = self.index if self.is_given("index") else len(owner.motus.walker.steps) - 1
+        chosen.entry_at(owner, index)
+        chosen.remove(owner, index)
+
+
+class MOTUS_OT_walker_prints(OfAnObject, bpy.types.Operator):
+    bl_idname = "motus.walker_prints"
+    bl_label = "Add Footprints"
+    bl_description = "Add an object with a mark for each step of a walker, as it is planned now; each mark shows from when the foot touches the ground on"
+
+    object: object_keyword("Name of the body that walks; empty takes the active object")
+    length: bpy.props.FloatProperty(
+        name="Length",
+        description="Length of a mark; 0 takes that of the soles, or a part of the stride",
+        min=0.0,
+        soft_max=1.0,
+        subtype='DISTANCE',
+    )
+    width: bpy.props.FloatProperty(
+        name="Width", description="Width of a mark; 0 takes a part of the length", min=0.0, soft_max=1.0, subtype='DISTANCE'
+    )
+    modes = OBJECT_OR_POSE_MODE
+    needs_native = True
+    redo = (Rows(("length", "width")),)
+    found = staticmethod(targets.walker_for)
+
+    def run(self, context):
+        owner = self.found(context, self.object)
+        check_finite(self, ("length", "width"))
+        context.view_layer.update()
+        made = prints.add(context, owner, self.length, self.width)
+        self.report({'INFO'}, tr("{object} added").format(object=made.name))
+
+
+classes = (MOTUS_OT_walker_step, MOTUS_OT_walker_step_remove, MOTUS_OT_walker_prints)
