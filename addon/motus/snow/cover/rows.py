@@ -9,7 +9,7 @@ from ...core.interface.rows import Row, Rows
 def _groups(settings):
     """Return (object, name of its collection of vertex groups) to choose from: the first surface that has any, or else the cover."""
     cover = settings.id_data if isinstance(settings, bpy.types.PropertyGroup) else bpy.context.object
-    listed = [pointed(entry, "object") for entry in cover.motus.snow_cover.surfaces]
+    listed = [pointed(entry, "object") for entry in cover.motus.snow_cover.surfaces] if cover else []
     return next((one for one in listed if one is not None and one.vertex_groups), cover), "vertex_groups"
 
 
