@@ -89,7 +89,7 @@ def _render_emitters(file):
 def _render_motion(file):
     """Flakes that fall straight: of a rate that rises and falls, and of emitters that have moved to the right."""
     scene = _scene()
-    last, cell = 73, 4.6
+    first, cell = -71, 4.6
     for column, (label, keywords) in enumerate(MOTIONS):
         x = (column - 0.5 * (len(MOTIONS) - 1)) * cell
         common = {
@@ -101,18 +101,18 @@ def _render_motion(file):
             "emitter_radius": 0.5,
             "seed": column,
         }
-        bpy.ops.motus.snow_add(location=(x, 0.0, 1.8), rate=180.0, start_frame=1.0, **common, **keywords)
+        bpy.ops.motus.snow_add(location=(x, 0.0, 1.8), rate=180.0, start_frame=first, **common, **keywords)
         emitter = bpy.context.object
         if column == 0:
-            for frame, rate in ((1, 0.0), (25, 800.0), (37, 0.0), (49, 0.0), (61, 500.0), (73, 0.0)):
+            for frame, rate in ((-71, 0.0), (-47, 800.0), (-35, 0.0), (-23, 0.0), (-11, 500.0), (1, 0.0)):
                 emitter.motus.snow.rate = rate
                 emitter.keyframe_insert("motus.snow.rate", frame=frame)
         else:
-            for frame, place in ((1, x - 1.4), (last, x + 1.0)):
+            for frame, place in ((first, x - 1.4), (1, x + 1.0)):
                 emitter.location.x = place
                 emitter.keyframe_insert("location", frame=frame)
         stage.add_text(label, Vector((x, -1.6, -2.5)), 0.36, LABEL)
-    scene.frame_set(last)
+    scene.frame_set(1)
     stage.add_camera(scene, (0.0, -16.0, 0.0), (0.0, 0.0, 0.0), width=4.1 * cell)
     return stage.render(scene, file, (1280, 400), samples=48)
 

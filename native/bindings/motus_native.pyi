@@ -875,9 +875,10 @@ class Snow:
     
     start_speed, start_size: of each flake.  lifetime: s, >= 0.  start_color: a gradient, a pair of positions (k,), rising, and
     colours (k, 4); None is white. Flakes have its first colour.
-    rate: flakes a second, >= 0; flake i of a steady stream is born at delay + (i + 1) / rate.  delay, duration: s, >= 0; the
-    stream ends after `duration`, unless looping.  burst_times (s after the delay), burst_counts: (b,), flakes that come all at
-    once, numbered where they are born.
+    rate: flakes a second, >= 0; flake i of a steady stream is born at delay + (i + 1) / rate.  rate_times (r,), s, rising,
+    rate_values (r,), >= 0: in place of it a rate that goes evenly from each value to the next; flake i is born when its integral
+    from the delay on is i + 1.  delay, duration: s, >= 0; the stream ends after `duration`, unless looping.
+    burst_times (s after the delay), burst_counts: (b,), flakes that come all at once, numbered where they are born.
     shape: 'square', 'disc', 'box', 'sphere', 'cone' in the emitter's space, of half width or radius cone_radius, >= 0; flakes
     leave along its +Z, of a sphere away from the middle, of a cone leaning outwards, at the edge by cone_angle, [0, pi]; or
     'surface': surface_positions (v, 3), surface_triangles (t, 3), evenly over their area, along their normals; or
@@ -889,7 +890,8 @@ class Snow:
     snow_frequency times a second; snow_offsets: each flake has a time of its own in the noise.
     gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s; with
     wind_times (w,), s, rising, and wind_values (w, 3) it goes evenly from each of these to the next, and is held before and after.
-    It varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
+    It varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  period: s, after which gusts and eddies are as
+    they were, for which their frequencies are changed a little; 0: never.  turbulence: m/s, root
     mean square, of air in eddies of turbulence_size m that flakes are carried along by.  tumble: rad/s up to which they spin.
     ground: height that flakes land on from above; None: they do not.  collider: a SnowCollider or None.  A flake lands once, on
     what it meets first after birth, of a collider rather than the ground at the same height; a way between looks counts as
@@ -898,11 +900,14 @@ class Snow:
     (with gravity or without) and friction, >= 0, slows it, until it stops, at a loose edge, or where two lead down to one edge;
     'melt', smaller and smaller over melt_time, s, and then gone.  rest_time: s after which a landed flake is gone; None: when its
     lifetime ends, as it does anyway. Where flakes land is found once and kept, for 18 million of all Snows at most (1 GB).
+    movers: colliders that go from place to place, (SnowCollider in its own space, times (k,), s, rising, matrices (k, 4, 4) to world
+    space, between which they go evenly) each; flakes that land on one are carried along, and do not slide.
     seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
     emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
+    inherited: share of the velocity of the emitter's origin that a flake leaves with, beside its own.
     Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.
     """
-    def __init__(self, *, start_speed: float = 5.0, lifetime: float = 2.0, start_size: float = 1.0, start_color: tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None, rate: float = 5.0, delay: float = 0.0, duration: float = 5.0, looping: bool = True, burst_times: numpy.typing.ArrayLike | None = None, burst_counts: numpy.typing.ArrayLike | None = None, shape: typing.Literal['square', 'disc', 'box', 'sphere', 'cone', 'surface', 'frustum'] = 'square', surface_positions: numpy.typing.ArrayLike | None = None, surface_triangles: numpy.typing.ArrayLike | None = None, frustum_angles: numpy.typing.ArrayLike = (0.4, 0.25), frustum_near: float = 0.1, frustum_far: float = 20.0, cone_angle: float = 0.0, cone_radius: float = 1.0, random_speed: bool = False, random_orientation: bool = False, random_lifetime: bool = False, random_size: bool = False, random_color: bool = False, snow: bool = False, max_angle: float = 1.3962634015954636, snow_frequency: float = 1.0, snow_offsets: bool = False, gravity: bool = False, acceleration: numpy.typing.ArrayLike = (0.0, 0.0, -9.81), drag: float = 0.0, wind: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), wind_times: numpy.typing.ArrayLike | None = None, wind_values: numpy.typing.ArrayLike | None = None, gusts: float = 0.0, gust_frequency: float = 0.3, turbulence: float = 0.0, turbulence_size: float = 1.0, tumble: float = 0.0, ground: float | None = None, collider: SnowCollider | None = None, collision: typing.Literal['stay', 'slide', 'melt'] = 'stay', rest_time: float | None = None, melt_time: float = 1.0, friction: float = 0.5, seed: int = 0, emitter_times: numpy.typing.ArrayLike | None = None, emitter_matrices: numpy.typing.ArrayLike | None = None) -> None:
+    def __init__(self, *, start_speed: float = 5.0, lifetime: float = 2.0, start_size: float = 1.0, start_color: tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None, rate: float = 5.0, rate_times: numpy.typing.ArrayLike | None = None, rate_values: numpy.typing.ArrayLike | None = None, delay: float = 0.0, duration: float = 5.0, looping: bool = True, burst_times: numpy.typing.ArrayLike | None = None, burst_counts: numpy.typing.ArrayLike | None = None, shape: typing.Literal['square', 'disc', 'box', 'sphere', 'cone', 'surface', 'frustum'] = 'square', surface_positions: numpy.typing.ArrayLike | None = None, surface_triangles: numpy.typing.ArrayLike | None = None, frustum_angles: numpy.typing.ArrayLike = (0.4, 0.25), frustum_near: float = 0.1, frustum_far: float = 20.0, cone_angle: float = 0.0, cone_radius: float = 1.0, random_speed: bool = False, random_orientation: bool = False, random_lifetime: bool = False, random_size: bool = False, random_color: bool = False, snow: bool = False, max_angle: float = 1.3962634015954636, snow_frequency: float = 1.0, snow_offsets: bool = False, gravity: bool = False, acceleration: numpy.typing.ArrayLike = (0.0, 0.0, -9.81), drag: float = 0.0, wind: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), wind_times: numpy.typing.ArrayLike | None = None, wind_values: numpy.typing.ArrayLike | None = None, gusts: float = 0.0, gust_frequency: float = 0.3, period: float = 0.0, turbulence: float = 0.0, turbulence_size: float = 1.0, tumble: float = 0.0, ground: float | None = None, collider: SnowCollider | None = None, collision: typing.Literal['stay', 'slide', 'melt'] = 'stay', rest_time: float | None = None, melt_time: float = 1.0, friction: float = 0.5, movers: typing.Sequence[tuple[SnowCollider, numpy.typing.ArrayLike, numpy.typing.ArrayLike]] = (), seed: int = 0, emitter_times: numpy.typing.ArrayLike | None = None, emitter_matrices: numpy.typing.ArrayLike | None = None, inherited: float = 0.0) -> None:
         ...
     def evaluate(self, time: float, fields: typing.Sequence[typing.Literal['position', 'velocity', 'size', 'color', 'age', 'rotation', 'id']] | None = None, out: dict[str, numpy.typing.NDArray[typing.Any]] | typing.Callable[[int], dict[str, numpy.typing.NDArray[typing.Any]]] | None = None, known: bool = False) -> dict[str, numpy.typing.NDArray[typing.Any]]:
         """
@@ -922,7 +927,7 @@ class Snow:
         """
     def landings(self, end: float) -> dict[str, numpy.typing.NDArray[typing.Any]]:
         """
-        Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
+        Where flakes land until `end`, s, but for movers, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
         (n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 10 us each.
         
         Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.
@@ -1633,10 +1638,11 @@ def pull_forces(distances: numpy.typing.ArrayLike, radius: float, falloff: typin
     """
     Forces of a falloff at distances >= 0, a number or (n,): float32 of that shape. Arguments and errors as pull().
     """
-def refine(positions: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike, longest_edge: float, most_vertices: int = 4194304) -> tuple[numpy.typing.NDArray[numpy.float32], numpy.typing.NDArray[numpy.int32]]:
+def refine(positions: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike, longest_edge: float, most_vertices: int = 4194304) -> tuple[numpy.typing.NDArray[numpy.float32], numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.int32]]:
     """
     The mesh with all edges longer than longest_edge, > 0, halved again and again: (positions (v, 3) float32, triangles (t, 3)
-    int32), on the same surface and without new gaps. The given vertices come first.
+    int32, ends (m, 2) int32), on the same surface and without new gaps. The given vertices come first; each of the m that follow
+    halves the edge between two earlier ones, its ends.
     
     Raises ValueError or TypeError that names the argument, also if there would be more than most_vertices.
     """

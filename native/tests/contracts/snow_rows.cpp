@@ -1,3 +1,5 @@
+#include <array>
+
 #include "contracts/meshes.hpp"
 #include "contracts/row.hpp"
 #include "contracts/samples.hpp"
@@ -139,6 +141,16 @@ void add_births(Table& table) {
         table, "snow::Births::streamed(j)", [](std::uint64_t j) { return births.streamed(j); },
         arg("j", std::uint64_t{3}, any_at_rest("any; infinite if the rate is 0")))
         .costs("O(1)")
+        .infinite();
+    add(
+        table, "snow::Births::streamed(j, out)",
+        [](std::uint64_t j) {
+            std::array<double, 5> found{};
+            births.streamed(j, found);
+            return found;
+        },
+        arg("j", std::uint64_t{3}, any_at_rest("any; infinite if the rate is 0")))
+        .costs("O(n)")
         .infinite();
     add(
         table, "snow::Births::most_within(length)", [](double length) { return births.most_within(length); },
