@@ -4,6 +4,7 @@ from ..core.declare import System
 from . import groups, offers, operators, over_time, overlay, panel, presets, properties, solve
 from .checking import operators as checking_operators
 from .dragging import operators as dragging_operators, tool as dragging_tool
+from .goals import pole_operator
 from .matching import operators as matching_operators
 from .switching import operators as switching_operators
 
@@ -22,6 +23,7 @@ SYSTEM = System(
         *switching_operators.classes,
         *dragging_operators.classes,
         *checking_operators.classes,
+        *pole_operator.classes,
     ),
     owner_types=frozenset({'ARMATURE'}),
     solve=solve.solve,

@@ -107,9 +107,10 @@ def _unshared(owner):
 
 
 def goals(entry):
-    """(object, bone or "") of an entry's target, pole and further targets, without those that are not chosen."""
+    """(object, bone or "") of an entry's target, pole, further targets and floor, without those that are not chosen."""
     pairs = [(pointed(entry, "target"), entry.target_bone), (pointed(entry, "pole"), entry.pole_bone)]
     pairs += [(pointed(extra, "object"), extra.bone) for extra in entry.extra_targets]
+    pairs.append((pointed(entry, "floor"), ""))
     return [(goal, bone if goal.pose and bone in goal.pose.bones else "") for goal, bone in pairs if goal]
 
 
@@ -153,6 +154,7 @@ def plan_of(owner, entries_found):
             "pole": _where(owner, pointed(found.entry, "pole")),
             "pole_bone": found.entry.pole_bone,
             "extras": len(found.entry.extra_targets),
+            **({"floor": True} if pointed(found.entry, "floor") else {}),
             "settings": {name: float(getattr(found.entry, name)) for name in ("tolerance", "iterations")},
         }
         for found in entries_found

@@ -17,7 +17,7 @@ from ..core.settings import entry_keys
 from ..core.tracks import rotations
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
 from . import groups, reading
-from .goals import places as goal_places
+from .goals import floors, places as goal_places
 from .wired import Wired
 
 NUMBERS = (*reading.ANIMATED, "chain_length", "bend", "target_blend", "is_muted")
@@ -82,6 +82,7 @@ class _Chain:
             (pointed(entry, "pole"), entry.pole_bone),
             (pointed(entry, "target"), entry.target_bone),
             *((pointed(extra, "object"), extra.bone) for extra in entry.extra_targets),
+            (pointed(entry, "floor"), ""),
         ]
         self._goals = list(map(_goal, goals))
         self.inputs = RigInputs(owner, scene, ("ik", index), chain.driven, parent.name if parent else "", self._goals, self._paths)
@@ -90,6 +91,8 @@ class _Chain:
         prefix = entry_keys.animated_prefix(self._owner, "motus.ik.entries", self._owner.motus.ik.entries, self._index)
         paths: dict[Any, tuple[str, int]] = {name: (prefix + name, -1) for name in NUMBERS}
         paths |= {axis: (f"{prefix}rotation_offset", axis) for axis in range(3)}
+        if self._goals[-1]:
+            paths |= {name: (prefix + name, -1) for name in ("floor_height", "floor_margin")}
         return paths | {"influence": ("motus.ik.influence", -1)}
 
     @property
@@ -111,8 +114,10 @@ class _Chain:
         turns, factors = np.zeros((count, len(place), 4)), np.ones((count, len(place), 3))
         turns[:, :, 0] = 1.0
         numbers = inputs.numbers(times)
-        pole, *goals = inputs.goals(times)
+        pole, *goals, floor = inputs.goals(times)
         targets, is_there = _blended(goals, numbers["target_blend"], count)
+        if floor is not None:
+            floors.above_all(targets[:, 12:15], floor, numbers["floor_height"], numbers["floor_margin"])
         settings = self._settings(wired, numbers, is_there)
         goal_places.turn(targets, np.stack([numbers[axis] for axis in range(3)], axis=1), numbers["rotation_weight"])
         poles = np.full((count, 3), np.nan) if pole is None else pole[:, 12:15]

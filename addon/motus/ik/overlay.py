@@ -9,7 +9,7 @@ from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
-from . import chains, status
+from . import chains, limits_picture, status
 from .goals import controls, places as goal_places, placing
 
 STEPS = 64  # lines of which a circle is drawn
@@ -20,10 +20,11 @@ REACH_COLOR = (0.98, 0.80, 0.25, 0.7)
 NEAR_COLOR = (0.98, 0.80, 0.25, 0.35)
 POLE_COLOR = (0.30, 0.75, 1.0, 0.8)
 RESIDUAL_COLOR = (0.95, 0.25, 0.30, 1.0)
+LIMITS_COLOR = (0.70, 0.45, 0.95, 0.8)
 
 
 def _batches(context, owner):
-    """List of Batches to draw for the chains of a rig. Circles are drawn only for the chain that the panel shows."""
+    """List of Batches to draw for the chains of a rig. Circles and limits are drawn only for the chain that the panel shows."""
     if owner.type != 'ARMATURE' or not owner.motus.ik.is_active:
         return []
     shown = context.scene.motus
@@ -39,6 +40,10 @@ def _batches(context, owner):
         if shown.show_reach and index == active:
             report = status.report(owner, entry.name, depsgraph)
             found += _circles(rig, chain, entry, joints, report.reach if report else 0.0)
+        if shown.show_limits and index == active and entry.use_limits:
+            bordered = [point for name in chain.bones for point in limits_picture.lines(rig, name)]
+            if bordered:
+                found.append(_lines(bordered, LIMITS_COLOR, 1.0))
         pole = _place(pointed(entry, "pole"), entry.pole_bone)
         if pole:
             poles += [_middle(joints), pole]
@@ -106,6 +111,7 @@ overlay = Overlay(
     (
         Switch("show_reach", "Reach", "Draw how far a chain reaches, and how near"),
         Switch("show_pole", "Pole", "Draw the line from the middle of a chain to its pole"),
+        Switch("show_limits", "Joint Limits", "Draw how far the joints of a chain may swing and twist"),
         Switch("show_residual", "What Is Missing", "Draw what is left between the end of a chain and its target"),
     ),
 )

@@ -105,6 +105,8 @@ def draw_pole(layout, context):
         row = layout.row(align=True)
         _of_chain(row.operator("motus.ik_pole_add", icon='EMPTY_AXIS'), context.object, entry)
         _of_chain(row.operator("motus.ik_pole_add", text="As Bone", icon='BONE_DATA'), context.object, entry).as_bone = True
+    else:
+        _of_chain(layout.operator("motus.ik_pole_angle", icon='DRIVER_ROTATIONAL_DIFFERENCE'), context.object, entry)
     rows.POLE.draw(ui.split(layout), entry)
 
 
@@ -163,6 +165,7 @@ PANEL = panels.SystemPanel(
         panels.Part("weights", "Weights", _draw_rows(rows.WEIGHTS), is_open=True),
         panels.Part("pole", "Pole", draw_pole, is_open=True),
         panels.Part("reach", "Reach", _draw_rows(rows.REACH)),
+        panels.Part("floor", "Floor", _draw_rows(rows.FLOOR)),
         panels.Part(
             "limits", "Limits", _draw_limits, draw_header=lambda layout, context: layout.prop(shown_entry(context), "use_limits", text="")
         ),

@@ -160,6 +160,13 @@ class MOTUS_PG_ik_entry(IkKeywords, check_results.CheckResults, bpy.types.Proper
         "Pole", "Object that the middle of the chain bends towards; without a pole the chain bends in the plane of the animated pose"
     )
     pole_bone: _bone("Bone of the pole; empty takes its origin")
+    floor: _object("Floor", "Object below whose plane the end of the chain does not go: through its origin, along its X and Y axes")
+    floor_height: _number(
+        "Height", "Distance above the floor at which the end of the chain stops", 0.0, subtype='DISTANCE', soft_min=-1.0, soft_max=1.0
+    )
+    floor_margin: _number(
+        "Margin", "Distance over which the end of the chain slows down before it stops", 0.0, subtype='DISTANCE', min=0.0, soft_max=1.0
+    )
     is_elastic: bpy.props.BoolProperty(name="Elastic", description="Stretch is not 0", options={'HIDDEN'}, override=OVERRIDABLE)
 
 

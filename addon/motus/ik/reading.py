@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from ..core import rigs
 from ..core.evaluated import copies
 from ..core.lazy import numpy as np
-from .goals import blend_targets, places as goal_places
+from .goals import blend_targets, floors, places as goal_places
 from .groups import PLAN
 from .reasons import MUTED
 from .wired import RigChanged, Wired
@@ -114,6 +114,8 @@ class _Source:
         posed = Posed(self._reader.poses(rows), rigs.world(rig))
         targets, poles, off = self._goals.read(posed, depsgraph)
         is_astray = wired.is_blended and goal_places.blend(targets, self._entries, self._further, off)
+        if wired.floors:
+            floors.lift(targets, self._entries, wired.floors)
         if known.weights is not None:
             goal_places.turn(targets, known.offsets, known.weights)
         if known.muted:

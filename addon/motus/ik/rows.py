@@ -9,11 +9,16 @@ def _has_pole(chain):
     return bool(pointed(chain, "pole"))
 
 
+def _has_floor(chain):
+    return bool(pointed(chain, "floor"))
+
+
 CHAIN = Rows((Row("chain_length", text="Length"), "use_tail"), title="Chain")
 WEIGHTS = Rows(("position_weight", "rotation_weight"), title="Weights")
 OFFSET = Rows((Row("rotation_offset", text="Offset", text_ctxt=OWN_SENSE),))
 POLE = Rows((Row("bend", when=_has_pole), "pole_angle", "hinge_angle"), title="Pole")
 REACH = Rows(("softness", "stretch", Row("volume", active=is_positive("stretch"))), title="Reach")
+FLOOR = Rows(("floor", Row("floor_height", when=_has_floor), Row("floor_margin", when=_has_floor)))
 PRECISION = Rows(("tolerance", "iterations"), title="Precision")
 
 ADDING = (

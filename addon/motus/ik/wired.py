@@ -20,6 +20,7 @@ _FORM = {
             "pole": _WHERE,
             "pole_bone": str,
             "extras": int,
+            "floor?": bool,
             "settings": {"tolerance": float, "iterations": float},
         }
     ],
@@ -54,6 +55,7 @@ class Wired:
         self.is_elastic = bool(self.stretches.any())
         self.columns = {name: column for column, name in enumerate(native.module.IkPlan.SETTINGS)}
         self.settings = self._settings_as_wired(chains)
+        self.floors = [row for row, chain in enumerate(chains) if chain.get("floor")]
         self.is_blended = any(chain["extras"] for chain in chains)
         self.all_bones = np.array([row for chain in bones for row in chain])
         self.targets = _Goals(rows, chains, "target")

@@ -26,6 +26,12 @@ class OfAHead(OfARig):
 
     bone: bpy.props.StringProperty(name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
 
+    def head(self, context):
+        """(rig, entry of the head) that the keywords name. Raises Refused if there is none, or if the rig cannot be edited."""
+        rig = targets.looking_rig(context, self.object)
+        targets.check_editable(rig)
+        return rig, rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+
 
 class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.types.Operator):
     bl_idname = "motus.look_at_add"
@@ -179,9 +185,7 @@ class MOTUS_OT_look_at_turn(OfAHead, bpy.types.Operator):
     bl_description = "Turn the direction in which the character faces at rest by a quarter, about Up; a new target goes along"
 
     def run(self, context):
-        rig = targets.looking_rig(context, self.object)
-        targets.check_editable(rig)
-        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        rig, entry = self.head(context)
         setup.turn(rig, entry)
         self.report({'INFO'}, tr("{bone} of {object} faces {axis}").format(bone=entry.name, object=rig.name, axis=LABELS[entry.forward]))
 
@@ -237,9 +241,7 @@ class MOTUS_OT_look_at_lid_add(OfAHead, bpy.types.Operator):
     )
 
     def run(self, context):
-        rig = targets.looking_rig(context, self.object)
-        targets.check_editable(rig)
-        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        rig, entry = self.head(context)
         check_bone(rig, entry.name)
         lids = [self.lid] if self.lid else self._found(context, rig, entry)
         targets.check_lids(rig, entry, lids)
@@ -265,9 +267,7 @@ class MOTUS_OT_look_at_lid_remove(OfAHead, bpy.types.Operator):
     lid: bpy.props.StringProperty(name="Eyelid", description="Name of the eyelid's bone", options={'SKIP_SAVE'})
 
     def run(self, context):
-        rig = targets.looking_rig(context, self.object)
-        targets.check_editable(rig)
-        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        rig, entry = self.head(context)
         if self.lid not in entry.lids:
             raise Refused(tr("{bone} is no eyelid of {head}").format(bone=self.lid, head=entry.name))
         setup.remove_lid(rig, entry, self.lid)
@@ -284,9 +284,7 @@ class MOTUS_OT_look_at_target_add(OfAHead, bpy.types.Operator):
     target_bone: bpy.props.StringProperty(name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
 
     def run(self, context):
-        rig = targets.looking_rig(context, self.object)
-        targets.check_editable(rig)
-        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        rig, entry = self.head(context)
         target = targets.target_for(context, self, rig)
         targets.check_target(target, self.target_bone)
         targets.check_loop(rig, entry.name, driven_bones(rig, entry), target, self.target_bone)
@@ -320,9 +318,7 @@ def change_eyes(operator, context, change):
 
     operator: its keywords object and bone name the head. change(context, rig, entry, eyes): called with the present names.
     """
-    rig = targets.looking_rig(context, operator.object)
-    targets.check_editable(rig)
-    entry = rig.motus.look_at.entries[targets.entry_for(context, rig, operator.bone)]
+    rig, entry = operator.head(context)
     head, before = entry.name, [eye.name for eye in entry.eyes]
     wanted = change(context, rig, entry, before)
     added = [eye for eye in wanted if eye not in before]

@@ -165,6 +165,48 @@ def _frame_of_first(solver, rows, pole):
     return frame_of(solver.poses(rows)[int(solver.settings[rows.index, solver.columns["left_out"]])])
 
 
+def pole_angle(rig, entry, depsgraph, place, keeps_pose):
+    """(error, Pole Angle in radians) with which a chain whose pole is at a world position has the pose that is wanted.
+
+    keeps_pose: whether that is its present pose; otherwise it is the one that the chain has without a pole. error: sine of half the angle
+    by which the first bone misses it. None if the chain is not solved, or cannot be as its rig is scaled to nothing.
+    """
+    found = forward.solver_of(rig, entry.name, depsgraph)
+    if found is None:
+        return None
+    solver, rows = found
+    table, columns = solver.settings, solver.columns
+
+    def frame_at(pole, angle):
+        table[rows.index, columns["pole_angle"]] = angle
+        return _frame_of_first(solver, rows, pole)
+
+    table[rows.index, columns["is_on"]] = table[rows.index, columns["position_weight"]] = 1.0
+    now = tuple(solver.poles[rows.index])
+    wanted = frame_at(now, entry.pole_angle) if keeps_pose else frame_at((math.nan,) * 3, 0.0)
+    table[rows.index, columns["bend"]] = -1.0 if entry.bend == 'AWAY' else 1.0
+    bones = rig.evaluated_get(depsgraph).pose.bones
+    root = solver.world @ bones[rows.bones[int(table[rows.index, columns["left_out"]])]].head
+    axis = (Vector(solver.targets[rows.index, 12:15]) - root).normalized()
+    side = math.copysign(1.0, solver.world.determinant())  # in a mirrored rig angles turn the other way
+    found = min(_angles_from(entry.pole_angle, lambda angle: wanted @ frame_at(place, angle).inverted(), side * axis))
+    return found if all(map(math.isfinite, found)) else None
+
+
+def _angles_from(angle, missing, axis):
+    """Yield (error, Pole Angle) of rounds that improve an angle, each by what the turn missing(angle) is about the chain's line.
+
+    error: sine of half the missing turn. axis: unit vector from the root to the target.
+    """
+    for _ in range(ROUNDS):
+        turn = missing(angle)
+        vector = Vector(turn[1:])
+        yield vector.length, math.remainder(angle, math.tau)
+        if vector.length < STILL:
+            break
+        angle += 2.0 * math.atan2(vector.dot(axis), turn.w)
+
+
 def new_target(context, evaluated, chain):
     """Make an empty at a chain's tip as its target, with the orientation of the entry's bone. Returns the empty."""
     joints = posed_joints(evaluated, chain)

@@ -1,6 +1,18 @@
 """Spanish: inverse kinematics."""
 
 INTERFACE = {
+    "Floor": "Suelo",
+    "Object below whose plane the end of the chain does not go: through its origin, along its X and Y axes": "Objeto bajo cuyo plano no baja el extremo de la cadena: por su origen, a lo largo de sus ejes X e Y",
+    "Distance above the floor at which the end of the chain stops": "Distancia sobre el suelo a la que se detiene el extremo de la cadena",
+    "Distance over which the end of the chain slows down before it stops": "Distancia en la que el extremo de la cadena frena antes de detenerse",
+    "Joint Limits": "Límites de articulación",
+    "Draw how far the joints of a chain may swing and twist": "Dibujar cuánto pueden girar y torcerse las articulaciones de una cadena",
+    "Set Pole Angle so that the chain bends as it does without its pole. "
+    "With another object or bone selected, that becomes the pole, and the chain stays as it is": "Ajusta el ángulo del polo para que la cadena se doble como sin su polo. "
+    "Con otro objeto o hueso seleccionado, ese pasa a ser el polo, y la cadena se queda como está",
+    "Name of an object that becomes the pole; empty takes what is selected along with the bone, or else the present pole": "Nombre de un objeto que pasa a ser el polo; vacío toma lo que está seleccionado con el hueso o, si no, el polo actual",
+    "{bone} has no pole: choose one": "{bone} no tiene polo: elige uno",
+    "No pole angle gives {bone} this pose: move {pole}": "Ningún ángulo del polo da a {bone} esta pose: mueve {pole}",
     "New Control Bone": "Nuevo hueso de control",
     "Make a bone of the armature itself the target, which stands at the end of the chain, has no parent and deforms nothing; a "
     "pole that is made is such a bone too": "Hace que el objetivo sea un hueso del propio esqueleto, que está al final de la cadena, no tiene padre y no deforma "
@@ -267,6 +279,7 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Pole Angle from Pose": "Ángulo del polo según la pose",
     "As Bone": "Como hueso",
     "IK with Control Bone": "IK con hueso de control",
     "Make Pole": "Crear polo",
