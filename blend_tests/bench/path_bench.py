@@ -24,6 +24,8 @@ CURVES = {
 FRACTIONS = np.linspace(0.0, 1.0, 101)
 FOLLOWERS = 1000
 FRAMES = 40
+MOMENTS = np.arange(1.0, 251.0, 0.125)
+"""Frames at which what hangs on a follower reads its motion."""
 
 
 def empty_scene():
@@ -104,6 +106,20 @@ def motus_frame_time():
     return frame_milliseconds(scene)
 
 
+def over_time():
+    """Seconds in which the motion of a follower is computed at all MOMENTS, the median of five."""
+    scene = empty_scene()
+    curve = make_curve(CURVES["climbing bend"])
+    (obj,) = make_objects(1)
+    bpy.ops.motus.path_follow_add(object=obj.name, curve=curve.name, orientation='BANKING')
+    samples = []
+    for _ in range(5):
+        track, start = support.addon("core.tracks").world_track(obj, scene), time.perf_counter()
+        track.values(MOMENTS)
+        samples.append(time.perf_counter() - start)
+    return statistics.median(samples)
+
+
 def evaluated_positions(obj, set_fraction):
     found = []
     for fraction in FRACTIONS:
@@ -181,7 +197,13 @@ def report_frame_time():
         table.row(what, value, value / reference)
 
 
+def report_over_time():
+    table = Table(f"Motion of one follower at {len(MOMENTS)} moments, for what hangs on it", Column("all", "ms", "9.2f"), width=52)
+    table.row("Motus follower, banking", over_time() * 1e3)
+
+
 if __name__ == "__main__":
     support.enable()
     report_frame_time()
+    report_over_time()
     report_exactness()
