@@ -60,24 +60,24 @@ class System(Feature):
     reads_keys: whether solve() reads keyframes of other frames; it is called again if they are edited (core/evaluated/read_keys.py).
     groups: function of the owner that returns Groups, in place of `channels` and `members`. entries: function of the owner that returns an
     Entry for each item in the owner's list of settings. copied_settings, shot_settings: names (core/settings/copied.py). adder: operator
-    that sets the system up on an object, or on bones of it, given by the keywords `object` and `bones` alone; "" for none. bone_renamed:
-    called with the owner, a rig, and the old and the new name of a bone of the rig that the owner drives or reads. moves_points: whether
-    solve() moves the points of the owner's mesh, by a modifier; there are no members then. makes_points: Points that solve() makes, by a
-    modifier; None if it makes none. dress: called with the owner if Blender has lost what the modifier was given, such as by
-    wiring.set_points_material(). prepare: called with the owner before it is wired, to make what its groups need, such as objects that are
-    members of it alone. take_over: called with the owner after edits of node groups, undo and loading, to keep what was drawn
-    (core/settings/drawn_curves.py). settle: called with the owner after an evaluation in which solve() has set Context.wants_to_settle.
-    rebuild: called with the owner by *Refresh*, in place of wiring.refresh(). over_time: called with the owner, a driven object and the
-    scene; returns the object's motion at any times, for core/tracks/solved.py, or None. unbakeable: sentence that says why there is nothing
-    to bake, or "". load: function of the settings that returns how many things of about equal work solve() may have to compute at once, at
-    most; None if its work needs no limit. All owners in a scene share the limit in proportion to it (core/evaluated/shares.py). shared:
-    names of the settings that solve() reads in addition to its inputs. If solve() reads nothing else, one solver computes all owners with
-    equal inputs whose settings are not animated, by solve_rows: function (context, rows, **inputs) that does for all of them what solve()
-    does for one. rows: of each owner the Row (core/wiring/hubs/rows.py), which has its settings; None for a row to be left alone. The
-    context's arrays have an item for each row. It returns a tuple with a Problem, an exception or None for each row, and the same tuple
-    again as long as none of them can have changed. owner_of: called with an object that may belong to an owner without being driven;
-    returns that owner or None. owner_types: types of the objects that can be owners; empty allows all. Settings on an object of a different
-    type have no effect. former_names: {former name: present name} of settings that were renamed (core/file/former_names.py).
+    that adds the system, given `object` and maybe `bones` alone. bone_renamed: called with the owner, a rig, and the old and the new name
+    of a bone of the rig that the owner drives or reads. moves_points: whether solve() moves the points of the owner's mesh, by a modifier;
+    there are no members then. makes_points: Points that solve() makes, by a modifier; None if it makes none. dress: called with the owner
+    if Blender has lost what the modifier was given, such as by wiring.set_points_material(). prepare: called with the owner before it is
+    wired, to make what its groups need, such as objects that are members of it alone. take_over: called with the owner after edits of node
+    groups, undo and loading, to keep what was drawn (core/settings/drawn_curves.py). settle: called with the owner after an evaluation in
+    which solve() has set Context.wants_to_settle. rebuild: called with the owner by *Refresh*, in place of wiring.refresh(). over_time:
+    called with the owner, a driven object and the scene; returns the object's motion at any times, for core/tracks/solved.py, or None.
+    unbakeable: sentence that says why there is nothing to bake, or "". load: function of the settings that returns how many things of about
+    equal work solve() may have to compute at once, at most; None if its work needs no limit. All owners in a scene share the limit in
+    proportion to it (core/evaluated/shares.py). shared: names of the settings that solve() reads in addition to its inputs. If solve()
+    reads nothing else, one solver computes all owners with equal inputs whose settings are not animated, by solve_rows: function (context,
+    rows, **inputs) that does for all of them what solve() does for one. rows: of each owner the Row (core/wiring/hubs/rows.py), which has
+    its settings; None for a row to be left alone. The context's arrays have an item for each row. It returns a tuple with a Problem, an
+    exception or None for each row, and the same tuple again as long as none of them can have changed. owner_of: called with an object that
+    may belong to an owner without being driven; returns that owner or None. owner_types: types of the objects that can be owners; empty
+    allows all. Settings on an object of a different type have no effect. former_names: {former name: present name} of settings that were
+    renamed (core/file/former_names.py).
     """
 
     solve: Callable[..., Any]
