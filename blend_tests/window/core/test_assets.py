@@ -190,6 +190,7 @@ def test_a_drag_that_is_cancelled_or_hits_nothing_changes_nothing():
 
 def test_the_asset_browser_gives_to_what_is_selected():
     build()
+    yield
     area = window_support.area('DOPESHEET_EDITOR')
     kind = area.ui_type
     two = bpy.data.objects["Two"]

@@ -41,7 +41,7 @@ def steps(strip):
     yield 0.5
     yield from hand.enter("Bouncy", "Name", beside=120)
     yield from hand.on("Picture")
-    yield from strip.shot(850, 420, is_moved=True)
+    yield from strip.shot(790, 420, is_moved=True)
     yield from hand.key('RET')
     yield 0.5
 

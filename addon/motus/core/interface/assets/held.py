@@ -51,16 +51,16 @@ def read(place):
         return _text(bpy.data.objects.get((place.name, None)), place.name)
     libraries, objects = set(bpy.data.libraries), set(bpy.data.objects)
     try:
-        with bpy.data.libraries.load(place.path, link=True) as (there, wanted):
+        with bpy.data.libraries.load(place.path, link=True) as (there, wanted):  # type: ignore[func-returns-value]
             wanted.objects = [name for name in there.objects if name == place.name]
         return _text(next(iter(wanted.objects), None), place.name)
     except OSError:
         raise Refused(tr("The file {file} cannot be read").format(file=place.path)) from None
     finally:
-        for new in set(bpy.data.libraries) - libraries:
-            bpy.data.libraries.remove(new)
-        for new in set(bpy.data.objects) - objects:  # of a library that was there
-            bpy.data.objects.remove(new)
+        for library in set(bpy.data.libraries) - libraries:
+            bpy.data.libraries.remove(library)
+        for obj in set(bpy.data.objects) - objects:  # of a library that was there
+            bpy.data.objects.remove(obj)
 
 
 def _is_current(path):

@@ -58,5 +58,5 @@ def show_new(context):
             if area.type not in {'FILE_BROWSER', 'VIEW_3D'}:
                 continue
             with context.temp_override(window=window, area=area):
-                if bpy.ops.asset.library_refresh.poll():
+                if bpy.ops.asset.library_refresh.poll():  # type: ignore[call-arg]
                     bpy.ops.asset.library_refresh()

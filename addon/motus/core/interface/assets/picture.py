@@ -70,7 +70,7 @@ def _drawn(context, space, region, matrices):
             values = gpu.state.active_framebuffer_get().read_color(0, 0, SIZE, SIZE, 4, 0, 'FLOAT')
     finally:
         buffer.free()
-    values.dimensions = 4 * SIZE * SIZE
+    values.dimensions = 4 * SIZE * SIZE  # type: ignore[assignment]
     return values
 
 
