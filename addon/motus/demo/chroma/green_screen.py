@@ -35,7 +35,7 @@ HAND_KEYS = (
 )
 GAZE_KEYS = ((1, (0.4, -4.0, 1.5)), (12, (1.6, -2.0, 1.9)), (34, (3.0, -1.2, 2.1)), (FRAMES, (3.2, -1.6, 2.0)))
 HAND, ELBOW = "hand.L", (0.62, 0.30, 0.85)
-LID_SHUT = math.radians(62.0)
+LID_SHUT = math.radians(-62.0)
 FINGERS = (("index.L", 8.0), ("fingers.L", -14.0), ("index.R", -22.0), ("fingers.R", -28.0))  # degrees
 SWAY = ((1, (-2.0, -3.0, -1.0)), (24, (0.5, 2.0, 1.0)), (FRAMES, (1.0, 5.0, 0.5)))  # degrees
 
