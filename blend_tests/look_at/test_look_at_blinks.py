@@ -74,7 +74,9 @@ class Blinks(BlinkCase):
 
     def test_lids_of_every_make_shut(self):
         eye = Vector((0.04, -0.08, 1.7))
-        for index, (name, way) in enumerate((("Lid", (0, -1, 0)), ("Lid upright", (0, 0, 1)), ("Lid lower", (0, -1, 0)), ("Lid bottom", (0, 0, -1)))):
+        for index, (name, way) in enumerate(
+            (("Lid", (0, -1, 0)), ("Lid upright", (0, 0, 1)), ("Lid lower", (0, -1, 0)), ("Lid bottom", (0, 0, -1)))
+        ):
             for roll in (0.0, math.pi):
                 with self.subTest(name, roll=roll):
                     rig = build_rig(BONES | {name: ("Head", tuple(eye), tuple(eye + 0.04 * Vector(way)))}, f"Rig {index} {roll:.0f}")

@@ -57,8 +57,7 @@ class System(Feature):
     same_bits: whether members have the same matrices, bit by bit, in every version of Blender; only some kinds of sinks allow that.
     lays_pose: whether the members are bones that are posed by their own transforms, as keys pose them. Their sinks come before all other
     constraints, and all other systems start from the resulting pose, which solve() passes to rigs.lay().
-    reads_keys: whether solve() reads keyframes of other frames, or a function of the settings that says so; it is called again if they
-    are edited (core/evaluated/read_keys.py).
+    reads_keys: whether solve() reads keys of other frames, whose edits call it again (core/evaluated/read_keys.py), or f(settings) for that.
     groups: function of the owner that returns Groups, in place of `channels` and `members`. entries: function of the owner that returns an
     Entry for each item in the owner's list of settings. copied_settings, shot_settings: names (core/settings/copied.py). bone_renamed:
     called with the owner, a rig, and the old and the new name of a bone of the rig that the owner drives or reads. moves_points: whether
