@@ -3,9 +3,10 @@
 import math
 
 import bpy
+from mathutils import Quaternion, Vector
 
 import support
-from look_at.look_at_cases import FAR, LookAtTestCase, direction
+from look_at.look_at_cases import BONES, FAR, LookAtTestCase, build_rig, direction
 
 LIDS = ("Eyelid.L",)
 SEED, RATE = 5, 60.0
@@ -71,12 +72,35 @@ class Blinks(BlinkCase):
         lid = self.evaluated().pose.bones["Eyelid.L"]
         self.assertLess(lid.tail.z, self.rig.data.bones["Eyelid.L"].tail_local.z - 1e-3)
 
+    def test_lids_of_every_make_shut(self):
+        eye = Vector((0.04, -0.08, 1.7))
+        for index, (name, way) in enumerate(
+            (("Lid", (0, -1, 0)), ("Lid upright", (0, 0, 1)), ("Lid lower", (0, -1, 0)), ("Lid bottom", (0, 0, -1)))
+        ):
+            for roll in (0.0, math.pi):
+                with self.subTest(name, roll=roll):
+                    rig = build_rig(BONES | {name: ("Head", tuple(eye), tuple(eye + 0.04 * Vector(way)))}, f"Rig {index} {roll:.0f}")
+                    bpy.ops.object.mode_set(mode='EDIT')
+                    rig.data.edit_bones[name].roll += roll
+                    bpy.ops.object.mode_set(mode='OBJECT')
+                    self.look(rig.name)
+                    self.assertEqual(bpy.ops.motus.look_at_lid_add(object=rig.name, bone="Head", lid=name), {'FINISHED'})
+                    angle = rig.motus.look_at.entries[0].lids[0].angle
+                    bone = rig.data.bones[name].matrix_local.to_3x3()
+                    moved = bone @ Quaternion((1.0, 0.0, 0.0), angle).to_matrix() @ Vector((0.0, 1.0, 0.0)) - bone.col[1]
+                    is_lower = index >= 2
+                    self.assertAlmostEqual(abs(angle), math.radians(10.0 if is_lower else 40.0), delta=1e-6)
+                    if way[2]:
+                        self.assertLess(moved.y, -0.1)  # over the front
+                    else:
+                        self.assertGreater(moved.z if is_lower else -moved.z, 0.1)
+
     def test_a_shape_key_follows_it(self):
         mesh = bpy.data.meshes.new("Face")
         mesh.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
         face = self.link("Face", mesh)
         face.shape_key_add(name="Basis")
-        face.shape_key_add(name='Shut "Eyes"')
+        face.shape_key_add(name='Shut "Eyes"').value = 0.0  # a new one is at 1 in Blender 5.2
         self.entry.shut_object, self.entry.shut_key = face, 'Shut "Eyes"'
         self.blink()
         frame = self.shut_frame()

@@ -83,6 +83,15 @@ class Saccades(LookAtTestCase):
         support.go_to(17)
         self.assertBeside(plain, 0.5 * self.native.saccades(17 / 24, AMPLITUDE, 3.0, 7))
 
+    def test_the_overlay_shows_eyes_that_jump_as_looking_at_their_target(self):
+        overlay = support.addon("look_at.overlay")
+        self.jump()
+        support.go_to(17)
+        rig = self.evaluated()
+        entry = rig.motus.look_at.entries["Head"]
+        lines = overlay._batches(rig, entry, [self.target.matrix_world.translation], self.told("angle"))
+        self.assertEqual([line.colors for line in lines[-3:-1]], [overlay.GAZE_COLOR] * 2)
+
     def test_within_the_limits(self):
         self.entry.eyes_limit = math.radians(1.0)
         self.entry.head_weight = 1.0

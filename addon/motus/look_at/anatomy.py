@@ -51,12 +51,12 @@ def _has_legs(bone, above, vertical, lowest):
 
 
 def lid_angle(rig, entry, name):
-    """Turn of an eyelid's bone about its X axis that shuts the eye: an upper lid's tail goes down, a lower lid's goes up."""
-    bone = rig.data.bones[name]
+    """Turn of an eyelid's bone about its X axis that shuts the eye: over the front, an upper lid's tail down, a lower lid's up."""
     is_lower = bool(names.words(name) & names.LOWER)
-    # A small turn about X takes the tail along Z.
-    goes_up = (bone.matrix_local.to_3x3() @ Vector((0.0, 0.0, 1.0))).dot(Vector(axes.vector(chosen(entry, "up")))) > 0.0
-    return (LOWER_LID if is_lower else UPPER_LID) * (1.0 if goes_up == is_lower else -1.0)
+    forward, up = (Vector(axes.vector(chosen(entry, axis))) for axis in ("forward", "up"))
+    way = forward + (up if is_lower else -up)
+    along_z = rig.data.bones[name].matrix_local.to_3x3().col[2]  # the way that a small turn about X takes the tail
+    return math.copysign(LOWER_LID if is_lower else UPPER_LID, along_z.dot(way))
 
 
 def head_forward(rig, entry):

@@ -43,7 +43,8 @@ def _batches(rig, entry, points, angle):
     names = [eye.name for eye in entry.eyes if eye.name in rig.pose.bones] if entry.eyes_weight > 0.0 else []
     forwards = anatomy.eyes_forward(rig, entry, names)
     shared = angle if len(points) > 1 else None
-    eyes = [_gaze(rig, name, forward, points[0], EYES_REACH, shared) for name, forward in zip(names, forwards)]
+    of_eyes = angle if entry.use_saccades else shared  # the reported angle knows nothing of jumps
+    eyes = [_gaze(rig, name, forward, points[0], EYES_REACH, of_eyes) for name, forward in zip(names, forwards)]
     head = _gaze(rig, entry.name, anatomy.head_forward(rig, entry), points[0], 1.0, shared)
     if eyes and head.colors == OFF_COLOR and all(eye.colors == GAZE_COLOR for eye in eyes):
         head = head._replace(colors=ON_THE_WAY_COLOR)

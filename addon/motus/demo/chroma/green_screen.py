@@ -35,6 +35,7 @@ HAND_KEYS = (
 )
 GAZE_KEYS = ((1, (0.4, -4.0, 1.5)), (12, (1.6, -2.0, 1.9)), (34, (3.0, -1.2, 2.1)), (FRAMES, (3.2, -1.6, 2.0)))
 HAND, ELBOW = "hand.L", (0.62, 0.30, 0.85)
+LID_SHUT = math.radians(-62.0)
 FINGERS = (("index.L", 8.0), ("fingers.L", -14.0), ("index.R", -22.0), ("fingers.R", -28.0))  # degrees
 SWAY = ((1, (-2.0, -3.0, -1.0)), (24, (0.5, 2.0, 1.0)), (FRAMES, (1.0, 5.0, 0.5)))  # degrees
 
@@ -125,8 +126,13 @@ def _add_pilot(context, collection):
             body_weight=0.3,
             head_forward="POS_Z",
             eyes_forward="POS_Y",
+            use_saccades=True,
+            eyes_seed=4,
         )
     )
+    _check(bpy.ops.motus.look_at_lid_add(object=rig.name, bone="head"))
+    for lid in rig.motus.look_at.entries["head"].lids:
+        lid.angle = LID_SHUT
 
 
 def _check(result):
