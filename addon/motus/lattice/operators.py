@@ -3,7 +3,7 @@
 import bpy
 
 from ..core.interface.operators import OBJECT_MODE, OBJECT_OR_EDIT_MODE, Operator, object_keyword, select_only
-from ..core.interface.rows import Rows
+from ..core.interface.rows import Row, Rows, is_given
 from ..core.refusals import Refused, check_finite, named
 from ..core.translations import tr
 from . import fitting, pulling, removal, resting, shape_keys, targets
@@ -144,23 +144,29 @@ class MOTUS_OT_lattice_reset(Operator, bpy.types.Operator):
         removal.reset(lattice)
 
 
-class MOTUS_OT_lattice_keep(Operator, bpy.types.Operator):
-    bl_idname = "motus.lattice_keep"
-    bl_label = "Keep as Shape Key"
-    bl_description = "Keep the deformation of this frame as a shape key of the mesh, whose value can be keyed; the lattice stays"
+class _OfALattice(Operator):
+    """Base class of operators on a lattice and all that it deforms (shape_keys.uses_of)."""
 
     object: object_keyword("Name of the object that the lattice deforms, or of the lattice; empty takes the active one")
     modifier: bpy.props.StringProperty(
         name="Modifier", description="Name of the lattice's modifier; empty takes the last lattice modifier", options={'SKIP_SAVE'}
     )
+
+    modes = OBJECT_MODE
+    needs_native = True
+
+
+class MOTUS_OT_lattice_keep(_OfALattice, bpy.types.Operator):
+    bl_idname = "motus.lattice_keep"
+    bl_label = "Keep as Shape Key"
+    bl_description = "Keep the deformation of this frame as a shape key of the mesh, whose value can be keyed; the lattice stays"
+
     name: bpy.props.StringProperty(name="Name", description="Name of the shape key; empty takes the lattice's name", options={'SKIP_SAVE'})
     use_reset: bpy.props.BoolProperty(
         name="Reset Lattice", description="Move the lattice's points back to rest, and let the shape key take their place", default=True
     )
 
-    modes = OBJECT_MODE
-    needs_native = True
-    redo = (Rows(("name", "use_reset")),)
+    redo = (Rows((Row("name", when=is_given("name")), "use_reset")),)
 
     @classmethod
     def check_offer(cls, context):
@@ -179,41 +185,33 @@ class MOTUS_OT_lattice_keep(Operator, bpy.types.Operator):
         self.report({'INFO'}, tr("{objects}: shape key {key}").format(objects=names, key=keys[0].name))
 
 
-class MOTUS_OT_lattice_rest(Operator, bpy.types.Operator):
+class MOTUS_OT_lattice_rest(_OfALattice, bpy.types.Operator):
     bl_idname = "motus.lattice_rest"
     bl_label = "Take as Rest"
     bl_description = "Let the lattice's points, as they stand, deform nothing: a lattice is shaped by hand around what it is to deform"
 
-    object: object_keyword("Name of the object that the lattice deforms, or of the lattice; empty takes the active one")
-    modifier: bpy.props.StringProperty(
-        name="Modifier", description="Name of the lattice's modifier; empty takes the last lattice modifier", options={'SKIP_SAVE'}
-    )
     use_regular: bpy.props.BoolProperty(
         name="Regular", description="Take the regular grid as the rest again, and put the points there", options={'SKIP_SAVE'}
     )
 
-    modes = OBJECT_MODE
-    needs_native = True
     redo = (Rows(("use_regular",)),)
 
     @classmethod
     def check_offer(cls, context):
-        _check_resting(*shape_keys.uses_of(context, "", ""))
+        lattice, uses = shape_keys.uses_of(context, "", "")
+        pulling.check_pullable(lattice)
+        shape_keys.check_meshes(uses)
 
     def run(self, context):
         lattice, uses = shape_keys.uses_of(context, self.object, self.modifier)
-        _check_resting(lattice, uses)
+        pulling.check_pullable(lattice)
+        shape_keys.check_meshes(uses)
         context.view_layer.update()
         if self.use_regular:
             resting.clear(lattice, uses)
-        else:
-            resting.make(lattice, uses)
-
-
-def _check_resting(lattice, uses):
-    pulling.check_pullable(lattice)
-    shape_keys.check_meshes(uses)
-    shape_keys.check_first(uses)
+            return
+        shape_keys.check_first(uses)
+        resting.make(lattice, uses)
 
 
 classes = (MOTUS_OT_lattice_fit, MOTUS_OT_lattice_remove, MOTUS_OT_lattice_reset, MOTUS_OT_lattice_keep, MOTUS_OT_lattice_rest)

@@ -34,7 +34,7 @@ SYSTEM = System(
     is_relative=True,
     same_bits=True,
     over_time=over_time.over_time,
-    load=lambda settings: max(1, settings.count) if settings.kind == 'DOUBLE' else 1,
+    load=lambda settings: max(1, settings.count) if parts.rods_each(settings) == 2 else 1,
     owner_of=parts.pivot_of,
     rebuild=build.rebuild,
     overlay=overlay.overlay,

@@ -71,7 +71,7 @@ def draw_readouts(layout, context):
     values = {name: wiring.output(system(), pivot, name, depsgraph) for name in ("angle1", "angle2", "seconds")}
     if None in values.values():
         return
-    has_two = settings.kind == 'DOUBLE'
+    has_two = parts.rods_each(settings) == 2
     found = [ui.Readout(text="Upper Angle" if has_two else "Angle", value=_degrees(values["angle1"]))]
     if has_two:
         found.append(ui.Readout(text="Lower Angle", value=_degrees(values["angle2"])))

@@ -16,7 +16,7 @@ LARGEST_FAN = 500
 
 def rods_each(settings):
     """Return the number of rods of one pendulum: 1 or 2."""
-    return 2 if settings.kind == 'DOUBLE' else 1
+    return 1 if settings.kind in {'SINGLE', 'SPHERICAL'} else 2
 
 
 def members(owner):

@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from ..core.declare import Problem
+from ..core.file.choices import chosen
 from ..core.interface import ui
 from ..core.interface.view import graph
 from ..core.lazy import numpy as np
@@ -36,7 +37,7 @@ def draw(layout, context, pivot):
         return
     swing, times, states, present = found
     settings = pivot.motus.pendulum
-    plot = PLOTS[settings.plot](settings, swing, states, solve.gravity_of(settings, context.scene))
+    plot = PLOTS[chosen(settings, "plot")](settings, swing, states, solve.gravity_of(settings, context.scene))
     lines = plot.values, *plot.marks
     heights = {height: f"{height:.4g}{plot.unit}" for height in graph.ticks(min(map(np.min, lines)), max(map(np.max, lines)))}
     if plot.across:

@@ -150,7 +150,7 @@ KEYWORDS = tuple(PendulumKeywords.__annotations__)
 PLOTS = (
     ('ANGLE', "Angle", "Angles of the rods over time"),
     ('ENERGY', "Energy", "Energy over time, and its kinetic and potential part"),
-    ('PHASE', "Phase Portrait", "Angular velocity over angle: a swing goes round, a turn goes through"),
+    ('PHASE', "Phase", "Phase portrait, angular velocity over angle: a swing goes round, a turn goes through"),
 )
 
 

@@ -7,6 +7,7 @@ import bpy.utils.previews
 
 from ... import keeping
 from ...lazy import numpy as np
+from . import widths
 
 WIDTH, HEIGHT = 256, 256  # icons are square
 PAD = 8  # pixels above and below
@@ -15,6 +16,10 @@ ROWS = 2 * TICKS - 1
 """Height of a graph with numbers, in lines of text: a number, and an empty line between two."""
 BESIDE = 4.0
 """Width of the numbers beside a graph, in heights of a line."""
+LINE_HEIGHT = 20.0
+"""Height of a line of text, in pixels at an interface scale of 1."""
+MARGIN = 2.5
+"""Width that panels and boxes take beside a graph, in heights of a line."""
 _ROUND = 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0
 LINE, AXIS, LEVEL, DOT, FLAG = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90), (1.0, 1.0, 1.0), (0.85, 0.20, 0.20, 0.35)
 MOST_STAMPS = 20_000
@@ -32,6 +37,10 @@ def draw(layout, name, values, heights, columns, marks=(), flags=(), across=(), 
     for the left end, the middle and the right end. marks, flags, across, dot: as of icon().
     """
     whole = layout.column(align=True)
+    room = widths.width() / LINE_HEIGHT - MARGIN
+    if room < ROWS + BESIDE:
+        _draw_narrow(whole, icon(name, values, tuple(heights), marks, PAD, flags, across, dot), room, list(heights.values()), columns)
+        return
     row = _centred(whole)
     numbers = row.column(align=True)
     numbers.ui_units_x = BESIDE
@@ -46,9 +55,22 @@ def draw(layout, name, values, heights, columns, marks=(), flags=(), across=(), 
     corner = row.column()
     corner.ui_units_x = BESIDE
     corner.label()
+    _draw_columns(row, columns, ROWS)
+
+
+def _draw_narrow(layout, icon_id, room, numbers, columns):
+    """Draw a graph where there is no room for numbers beside it: with the last of them above it and the first below. room: in lines."""
+    layout.label(text=numbers[-1], translate=False)
+    layout.template_icon(icon_id, scale=min(max(room, 1.0), ROWS))
+    layout.label(text=numbers[0], translate=False)
+    _draw_columns(layout.row(align=True), columns, room)
+
+
+def _draw_columns(row, columns, room):
+    """Draw the texts below a graph, for its left end, middle and right end. room: width of the graph, in lines."""
     for text, alignment in zip(columns, ('LEFT', 'CENTER', 'RIGHT')):
         column = row.column()
-        column.ui_units_x = ROWS / len(columns)
+        column.ui_units_x = room / len(columns)
         line = column.row()
         line.alignment = alignment
         line.label(text=text, translate=False)
