@@ -82,7 +82,6 @@ class Giving(Copying):
         for receiver in [receiver for receiver, item in items.items() if item is None]:
             try:
                 _add(system, *receiver)
-                items[receiver] = _item(system, *receiver)
             except Refused as refusal:
                 refusals.append(str(refusal))
         # Adding an entry may move the others to different places in memory.
