@@ -136,6 +136,7 @@ class KeyedGaits(solved_cases.Solved, cases.WalkerTestCase):
         support.go_to(30)
         self.assertEqual(self.sentence(body), "A setting of the gait is not known ahead, and its feet do not step: key it, without drivers")
         body.driver_remove("motus.walker.cadence")
+        body.motus.walker.cadence = 1.5
         support.go_to(31)
         self.assertWell(body)
 

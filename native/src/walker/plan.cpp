@@ -129,6 +129,8 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
         fall.search = {in_world(fall.pose, way.rest[leg]), in_world(fall.pose, hips_[leg]),
                        trajectory_.axes(fall.pose).up};
         find_place(fall);
+        if (stretch > 0) fall.middle = std::max(fall.middle, begin);
+        if (stretch + 1 < trajectory_.stretch_count()) fall.middle = std::min(fall.middle, end);
         falls.push_back(fall);
     }
     const double put = falls.size() > 1 ? std::min(begin, falls[1].lift) : begin;
@@ -198,8 +200,7 @@ std::vector<Footstep> Planner::steps_of(const Footfalls& falls, bool looks_for_o
         step.end = fall.place.point;
         step.end_normal = fall.place.normal;
         step.end_turn = turn_of(fall);
-        step.middle =
-            std::clamp(fall.middle, trajectory_.way().times.front(), trajectory_.way().times.back());
+        step.middle = fall.middle;
         step.chosen = fall.chosen;
         step.is_grounded = fall.is_grounded;
         step.start = before != nullptr ? before->place.point : step.end;

@@ -80,6 +80,22 @@ TEST_CASE("a chosen step finds ground where it is moved to, and the plan around 
     CHECK(earlier.steps(leg)[4].end == before.end);
 }
 
+TEST_CASE("each step is chosen by the middle of its stand", "[chosen]") {
+    const Ground level = plane();
+    for (const auto& pose : {turning, there}) {
+        const Way way = way_along(6.0, pose);
+        const Walker planned(way, {}, &level);
+        for (std::size_t row = 0; row < planned.steps(leg).size(); ++row) {
+            WalkSettings settings;
+            settings.chosen = {{leg, planned.steps(leg)[row].middle, {}, 0.1, std::nullopt}};
+            const Walker walker(way, settings, &level);
+            REQUIRE(walker.steps(leg).size() == planned.steps(leg).size());
+            for (std::size_t i = 0; i < planned.steps(leg).size(); ++i)
+                CHECK(walker.steps(leg)[i].chosen.has_value() == (i == row));
+        }
+    }
+}
+
 TEST_CASE("a fixed step stands where it is told, whatever body and ground do", "[chosen]") {
     const double lift = walking({}).steps(leg)[4].lift;
     // On a stool on which there is no ground.

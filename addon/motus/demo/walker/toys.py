@@ -21,7 +21,7 @@ MAN_WAY, HORSE_WAY = 0.66, 0.44  # m from the middle of the deck
 MAN_HIPS, MAN_HIGH = ((-0.035, 0.0), (0.035, 0.0)), 0.15
 HORSE_HIPS, HORSE_HIGH = ((-0.035, 0.085), (0.035, 0.085), (-0.035, -0.085), (0.035, -0.085)), 0.14
 ANKLE = 0.028
-CAMERA, AIM, LENS = (-1.45, -0.95, 0.72), (0.0, 0.0, 0.10), 58.0  # m from the middle of the deck
+CAMERA, AIM, LENS = (-1.55, -1.0, 0.86), (0.0, 0.0, 0.04), 36.0  # m from the middle of the deck
 
 
 def build(collection, views):

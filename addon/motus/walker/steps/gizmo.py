@@ -8,8 +8,8 @@ from ...core.interface.view import drawing
 from .. import legs, setup
 from . import handles, operators
 
-RADIUS = 4.0
-"""Radius of a drawn handle, in pixels at a Resolution Scale of 1."""
+RADIUS, SMALL = 4.0, 1.5
+"""Radius of a drawn handle, and of one of a planned step, which hides no foothold; in pixels at a Resolution Scale of 1."""
 RIM, WIDTH = 1.5, 1.5
 COLOR, CHOSEN, LOCKED, LIT = (0.85, 0.85, 0.90, 0.9), (1.0, 0.85, 0.3, 1.0), (1.0, 0.35, 0.25, 1.0), (1.0, 1.0, 1.0, 1.0)
 RIM_COLOR = (0.05, 0.05, 0.08, 0.85)
@@ -43,7 +43,10 @@ class MOTUS_GT_walker(bpy.types.Gizmo):
             color, is_hovered = _color(owner, handle), self.is_highlight and _name(handle) == self.hovered
             if handle.turns:
                 drawing.line([places.get((handle.step.leg, handle.step.middle, False), place), place], color, WIDTH * scale)
-            drawing.discs([place, place], [(RADIUS + RIM) * scale, RADIUS * scale], [RIM_COLOR, LIT if is_hovered else color])
+            if is_hovered or color != COLOR:
+                drawing.discs([place, place], [(RADIUS + RIM) * scale, RADIUS * scale], [RIM_COLOR, LIT if is_hovered else color])
+            else:
+                drawing.discs([place], [SMALL * scale], [color])
             if is_hovered:
                 drawing.text([legs.label(owner.motus.walker.legs[handle.step.leg])], *(place + 1.5 * RADIUS * scale), scale)  # type: ignore[call-arg]
         gpu.state.blend_set('NONE')

@@ -20,6 +20,7 @@ from . import chosen
 TOUCH = "touch"
 """Name of the marks' attribute: the frame, after Time Stretching, on which the foot touches the ground."""
 GROUP, MATERIAL = "Motus Footprints", "Motus Footprint"
+COLOR = 0.05, 0.04, 0.03, 1.0
 CORNERS, RINGS = 16, (0.55, 1.0)
 """Points around a mark, and how far its rings of points are from its middle, as shares of its size."""
 BROADER = 0.18
@@ -131,6 +132,7 @@ def _material():
     made = bpy.data.materials.new(MATERIAL)
     made.use_nodes = True
     shader = next(node for node in made.node_tree.nodes if node.type == 'BSDF_PRINCIPLED')
-    shader.inputs["Base Color"].default_value = made.diffuse_color = (0.05, 0.04, 0.03, 1.0)
+    made.diffuse_color = COLOR  # type: ignore[assignment]
+    shader.inputs["Base Color"].default_value = COLOR
     shader.inputs["Roughness"].default_value = 0.9
     return made

@@ -50,8 +50,8 @@ struct Footstep {
     /// over the heel.
     double push = 0.0, strike = 0.0;
     double pushing = 0.0, striking = 0.0;  ///< s before `lift`, and after `touch`, for which the sole rolls
-    double middle = 0.0;                   ///< s, of the stand, or of its first cycle while the body rests
-    std::optional<std::size_t> chosen{};   ///< index of the ChosenStep that `end` and `end_turn` follow
+    double middle = 0.0;  ///< s, of the stand, or of its first cycle while the body rests; in its stretch
+    std::optional<std::size_t> chosen{};  ///< index of the ChosenStep that `end` and `end_turn` follow
 
     /// Fraction of the swing at a time: 0 before the foot lifts, 1 from the touch on.
     [[nodiscard]] double through(double time) const {
