@@ -87,9 +87,9 @@ class Saccades(LookAtTestCase):
         overlay = support.addon("look_at.overlay")
         self.jump()
         support.go_to(17)
+        angle = self.told("angle")
         rig = self.evaluated()
-        entry = rig.motus.look_at.entries["Head"]
-        lines = overlay._batches(rig, entry, [self.target.matrix_world.translation], self.told("angle"))
+        lines = overlay._batches(rig, rig.motus.look_at.entries["Head"], [self.target.matrix_world.translation], angle)
         self.assertEqual([line.colors for line in lines[-3:-1]], [overlay.GAZE_COLOR] * 2)
 
     def test_within_the_limits(self):
