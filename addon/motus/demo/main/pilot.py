@@ -39,7 +39,7 @@ GRASP = {  # of the index finger and of the other three fingers
     ("fingers.R", 0): ((1, -26.0),),
 }
 BLINKS = (22, 64, 118, 176, 222, 250)
-BLINK = ((-3, 0.0), (0, 62.0), (1, 62.0), (6, 0.0))  # frames relative to the blink, and degrees of an eyelid
+BLINK = ((-3, 0.0), (0, -62.0), (1, -62.0), (6, 0.0))  # frames relative to the blink, and degrees of an eyelid
 
 
 class Pilot(NamedTuple):

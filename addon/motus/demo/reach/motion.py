@@ -47,7 +47,7 @@ INDEX_TURN = ((1, 0.0), (40, 0.0), (62, INDEX_EXTENDED), (150, INDEX_EXTENDED), 
 FINGERS_TURN = ((1, -6.0), (40, -6.0), (66, -30.0), (94, -4.0), (114, -4.0), (130, -30.0), (150, -26.0), (178, -6.0))
 RESTING_TURNS = (("index.R", -22.0), ("fingers.R", -28.0))
 BLINKS = (20, 128, 198)
-LID_SHUT = 62.0
+LID_SHUT = -62.0
 BLINK = ((-3, 0.0), (0, LID_SHUT), (1, LID_SHUT), (6, 0.0))  # frames relative to the blink, degrees
 
 REACH_WEIGHT = ((1, 0.0), (34, 0.0), (62, 1.0), (146, 1.0), (176, 0.0))
