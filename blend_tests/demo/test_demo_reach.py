@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import bpy
+import numpy as np
 from mathutils import Vector
 
 import support
@@ -16,6 +17,7 @@ MODULES = (
     "reach/motion",
     "reach/lookout",
     "reach/butterfly",
+    "reach/flower",
     "character/mannequin",
     "character/parts",
     "character/face",
@@ -39,6 +41,10 @@ def world(rig, bone):
 def place_of(thing):
     """An object's matrix in the world, as evaluated."""
     return thing.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.copy()
+
+
+def pilot_of(scene):
+    return next(thing for thing in scene.objects if thing.type == 'ARMATURE' and "head" in thing.pose.bones)
 
 
 def turn_between(first, second):
@@ -77,7 +83,7 @@ class ReachingPilot(unittest.TestCase):
         cls.result = demo_cases.build('IK')
         cls.scene = bpy.context.window.scene
         cls.motion = support.addon("demo.reach.motion")
-        cls.rig = next(thing for thing in cls.scene.objects if thing.type == 'ARMATURE')
+        cls.rig = pilot_of(cls.scene)
         cls.arm_length = sum(cls.rig.data.bones[name].length for name in ARM)
         cls.butterfly = cls.rig.motus.look_at.entries["head"].target
         cls.goals = {entry.name: entry.target for entry in cls.rig.motus.ik.entries}
@@ -136,7 +142,7 @@ class ReachingPilot(unittest.TestCase):
         self.addCleanup(setattr, bpy.context.window, "scene", self.scene)
         bpy.ops.motus.demo_scene(system='IK')
         second = bpy.context.window.scene
-        rig = next(thing for thing in second.objects if thing.type == 'ARMATURE')
+        rig = pilot_of(second)
         goals = [entry.target for entry in rig.motus.ik.entries] + [rig.motus.look_at.entries["head"].target]
         self.assertTrue(all(goal.name in second.objects for goal in goals))
         second.frame_set(self.cycle[79].frame)
@@ -179,6 +185,19 @@ class ReachingPilot(unittest.TestCase):
                 missed += goal > 1.15
         self.assertGreater(reached, 24, "frames on which the hand is at the butterfly")
         self.assertGreater(missed, 8, "frames on which the butterfly is out of reach")
+
+    def test_the_daisy_stretches_and_keeps_its_volume(self):
+        daisy = next(thing for thing in self.scene.objects if thing.type == 'ARMATURE' and thing != self.rig)
+        stem = [bone.name for bone in daisy.data.bones if bone.name.startswith("Stem")]
+        longest = 0.0
+        for moment in self.cycle[::12]:
+            self.scene.frame_set(moment.frame)
+            scales = [world(daisy, name).to_scale() for name in stem]
+            longest = max(longest, max(scale.y for scale in scales))
+            for scale in scales:
+                self.assertAlmostEqual(scale.x * scale.y * scale.z, 1.0, places=4)
+            np.testing.assert_allclose(world(daisy, "Blossom").to_scale(), 1.0, atol=1e-4)
+        self.assertGreater(longest, 1.2)
 
     def test_arm_never_snaps(self):
         for before, now, after in zip(self.cycle, self.cycle[1:], self.cycle[2:]):

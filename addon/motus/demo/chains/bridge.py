@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
-from ..stage import materials, shapes
-from . import bones, gorge, pinning
+from ..stage import bones, materials, shapes
+from . import gorge, pinning
 
 COUNT = 28  # bones of each rope, with a plank each
 SLACK = 1.022  # length of a rope, in distances between its ends

@@ -3,9 +3,9 @@
 import numpy as np
 
 from ..places import landscape
-from ..stage import materials, shapes
+from ..stage import bones, materials, shapes
 from ..stage.soft_shapes import Cone, SoftBody
-from . import bones, dog_bones
+from . import dog_bones
 
 COAT, DARK, WHITE, COLLAR, BRASS, TONGUE, ROPE = range(7)
 SHARPNESS, SKIN_SHARPNESS = 55.0, 42.0  # 1/m

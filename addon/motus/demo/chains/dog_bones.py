@@ -1,6 +1,6 @@
 """The armature of the dog: it faces +Y, its origin is on the ground below its middle, and its tail and ears are rows of bones."""
 
-from . import bones
+from ..stage import bones
 
 NAME = "Dog"
 BODY, NECK, HEAD, WAG, TAIL, LEASH = "body", "neck", "head", "wag", "tail", "leash"

@@ -6,8 +6,8 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from ..stage import keying, shapes
-from . import bones, dog_bones, pinning
+from ..stage import bones, keying, shapes
+from . import dog_bones, pinning
 
 # Keys of the dog: (frame, x, y, direction in which it looks, from +Y, counter-clockwise, in degrees).
 WAY = ((1, 2.55, -2.86, 84.0), (12, 2.38, -2.84, 84.0), (52, 1.42, -2.67, 86.0), (66, 1.24, -2.65, 96.0), (74, 1.22, -2.65, 99.0))

@@ -5,8 +5,8 @@ A line is one chain: the bones of the flags branch off from those of the line, w
 
 import numpy as np
 
-from ..stage import materials, shapes
-from . import bones, gorge, pinning
+from ..stage import bones, materials, shapes
+from . import gorge, pinning
 
 FLAG = (0.34, 0.36)  # width and height, m
 FLAG_BONES = 2

@@ -6,8 +6,7 @@ import random
 import numpy as np
 
 from ..places import landscape, rocks, woods
-from ..stage import lighting, materials, shapes, staging
-from . import bones
+from ..stage import bones, lighting, materials, shapes, staging
 
 SEED = 23
 OVER = (205.0, -300.0, 66.0)  # place of the scene's origin in the landscape, m

@@ -7,6 +7,7 @@ import numpy as np
 from ..flying import aeroplane
 from ..places import landscape
 from ..stage import materials, shapes
+from . import flower
 
 PLACE = (-103.7, -245.4, 31.0)  # of the deck in the land, m
 HEADING = math.radians(-24.0)  # angle from the land's +Y to the deck's +Y, which points towards the lake
@@ -65,7 +66,7 @@ def build(collection, stage):
     shapes.link_object(collection, "Deck", _deck_mesh(timber), stage)
     shapes.link_object(collection, "Railing", _railing_mesh(timber), stage)
     _add_crate(collection, stage, timber)
-    for index, (x, y, size) in enumerate(POTS):
+    for index, (x, y, size) in enumerate((*POTS, (*flower.PLACE, flower.POT_SIZE))):
         pot = shapes.link_object(collection, f"Flower Pot {index + 1}", _pot_mesh(index), stage)
         pot.location, pot.scale = (x, y, 0.0), (size,) * 3
 

@@ -1,4 +1,4 @@
-"""The scene "Motus Reach": a wooden pilot on a lookout reaches for a butterfly, by inverse kinematics and look-at."""
+"""The scene "Motus Reach": a wooden pilot on a lookout and a daisy reach for a butterfly, by inverse kinematics and look-at."""
 
 import math
 
@@ -9,7 +9,7 @@ from ..character import limbs, mannequin, skeleton
 from ..flying import flight
 from ..places import landscape, woods
 from ..stage import keying, lighting, shapes, staging
-from . import butterfly, lookout, motion
+from . import butterfly, flower, lookout, motion
 
 SCENE_NAME = "Motus Reach"
 FRAMES_PER_SECOND = 24
@@ -55,6 +55,7 @@ def build(context):
     motion.key_pose(rig)
     _add_camera(scene, place, stage)
     _wire(context, marks, stage, rig, carrier)
+    flower.build(context, place, stage, carrier)
     scene.frame_set(1)
     return scene
 

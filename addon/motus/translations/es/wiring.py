@@ -16,7 +16,7 @@ INTERFACE = {
     "Wired": "Conectado",
     "What was wired, to notice where it has changed since": "Lo que se conectó, para notar dónde ha cambiado desde entonces",
     "Reaching Pilot": "Piloto que alcanza",
-    "A wooden figure whose hand and eyes follow a butterfly, while its feet and other hand stay put": "Una figura de madera cuya mano y cuyos ojos siguen a una mariposa, mientras los pies y la otra mano no se mueven",
+    "A wooden figure whose hand and eyes follow a butterfly, while its feet and other hand stay put, and a daisy that stretches toward it": "Una figura de madera cuya mano y cuyos ojos siguen a una mariposa, mientras los pies y la otra mano no se mueven, y una margarita que se estira hacia ella",
 }
 
 OPERATORS = {}

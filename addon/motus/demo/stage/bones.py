@@ -1,9 +1,9 @@
-"""Helpers for the armatures of the scene: bones in rows along lines, and skins whose vertices are carried by several bones."""
+"""Helpers for armatures of the demo scenes: bones in rows along lines, and skins whose vertices are carried by several bones."""
 
 import bpy
 import numpy as np
 
-from ..stage import shapes
+from . import shapes
 
 
 def along(points, count, fine=400):
