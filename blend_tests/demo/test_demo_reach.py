@@ -193,7 +193,7 @@ class ReachingPilot(unittest.TestCase):
         for moment in self.cycle[::12]:
             self.scene.frame_set(moment.frame)
             scales = [world(daisy, name).to_scale() for name in stem]
-            longest = max(longest, max(scale.y for scale in scales))
+            longest = max(longest, *(scale.y for scale in scales))
             for scale in scales:
                 self.assertAlmostEqual(scale.x * scale.y * scale.z, 1.0, places=4)
             np.testing.assert_allclose(world(daisy, "Blossom").to_scale(), 1.0, atol=1e-4)
