@@ -9,7 +9,7 @@ import numpy as np
 import support
 from demo import demo_cases
 
-MODULES = ("pull/scene", "pull/face", "pull/face_motion", "pull/terrain", "places/clay_studio", "stage/keying")
+MODULES = ("pull/scene", "pull/balls", "pull/face", "pull/face_motion", "pull/terrain", "places/clay_studio", "stage/keying")
 SEA = 0.11  # height of the sea over the grid, m
 SOME_FRAMES = (1, 36, 46, 56, 66, 80, 100, 126, 150, 160, 170, 184, 200, 216)
 
@@ -34,6 +34,7 @@ class PulledFromClay(unittest.TestCase):
         cls.result = demo_cases.build('PULL')
         cls.scene = bpy.context.window.scene
         cls.land, cls.head = cls.scene.objects["Land"], cls.scene.objects["Suzanne"]
+        cls.scan, cls.ball = cls.scene.objects["Clay Ball 1"], cls.scene.objects["Clay Ball 2"]
         cls.seen = {frame: cls.moment(frame) for frame in SOME_FRAMES}
 
     @classmethod
@@ -78,14 +79,14 @@ class PulledFromClay(unittest.TestCase):
         for module in MODULES:
             self.assertNotIn("from ...", (folder / f"{module}.py").read_text(encoding="utf-8"), module)
         for thing in self.scene.objects:
-            wanted = ['NODES'] if thing in (self.land, self.head) else []
+            wanted = ['NODES'] if thing in (self.land, self.head, self.scan) else []
             self.assertEqual([modifier.type for modifier in thing.modifiers], wanted, thing.name)
-            self.assertFalse(thing.type == 'MESH' and thing.data.shape_keys, thing.name)
+            self.assertEqual(thing.type == 'MESH' and thing.data.shape_keys is not None, thing == self.ball, thing.name)
 
     def test_every_pin_holds_and_is_keyed(self):
         pins_solve, wiring = support.addon("pull.pins.solve"), support.addon("core.wiring")
         system, depsgraph = support.addon("pull").SYSTEM, bpy.context.evaluated_depsgraph_get()
-        for thing in (self.land, self.head):
+        for thing in (self.land, self.head, self.scan):
             self.assertIsNone(wiring.problem(system, thing, depsgraph))
             keyed = {curve.data_path for curve in support.addon("core.blender.actions").fcurves(thing)}
             for index, pin in enumerate(thing.motus.pull.pins):
@@ -93,6 +94,25 @@ class PulledFromClay(unittest.TestCase):
                     found = wiring.output(system, thing, f"pin{index}", depsgraph)
                     self.assertEqual(int(found), pins_solve.OK)
                     self.assertIn(f"motus.pull.pins[{index}].strength", keyed)
+
+    def test_the_scan_is_pulled_and_does_not_tear(self):
+        rest = positions(self.scan.data)
+        self.scene.frame_set(110)
+        pulled = positions(self.scan.evaluated_get(bpy.context.evaluated_depsgraph_get()).data)
+        self.assertGreater(float(np.linalg.norm(pulled - rest, axis=1).max()), 0.15)
+        _, same = np.unique(np.round(rest, 4), axis=0, return_inverse=True)
+        same = same.ravel()
+        self.assertLess(same.max() + 1, len(rest) // 4)
+        first = np.full(same.max() + 1, -1)
+        first[same[::-1]] = np.arange(len(rest))[::-1]
+        self.assertLess(float(np.abs(pulled - pulled[first[same]]).max()), 2e-3)
+
+    def test_the_other_ball_leans_by_a_shape_key(self):
+        heights = []
+        for frame in (1, 36):
+            self.scene.frame_set(frame)
+            heights.append(positions(self.ball.evaluated_get(bpy.context.evaluated_depsgraph_get()).data)[:, 2].max())
+        self.assertGreater(heights[1], heights[0] + 0.05)
 
     def test_built_twice(self):
         self.addCleanup(setattr, bpy.context.window, "scene", self.scene)

@@ -25,9 +25,9 @@ def build_world():
 
 
 def build(collection):
-    """Add table, wall, lamps and tools."""
+    """Add table, wall, lamps and tools. Returns the balls of clay, the larger one first."""
     build_room(collection)
-    _add_tools(collection)
+    return _add_tools(collection)
 
 
 def build_room(collection):
@@ -123,7 +123,8 @@ SPATULA_HALF = ((0.0, 0.012), (0.18, 0.030), (0.42, 0.062), (0.62, 0.050), (0.74
 
 
 def _add_tools(collection):
-    """Add a loop tool, a spatula, and balls of clay."""
+    """Add a loop tool, a spatula, and balls of clay, which are returned."""
+    balls = []
     beech = materials.wood("Beech", (0.52, 0.33, 0.18), (0.38, 0.22, 0.11), (22.0, 2.0, 22.0), roughness=0.5)
     steel = materials.principled("Tool Steel", color=(0.70, 0.70, 0.72), metallic=1.0, roughness=0.25)
     clay = materials.principled("Spare Clay", color=(0.40, 0.135, 0.055), roughness=0.6)
@@ -136,6 +137,8 @@ def _add_tools(collection):
         builder.add(shapes.sphere(size, (0.0, 0.0, 0.86 * size), (1.0, 0.95, 0.88), 40, 26))
         ball = shapes.link_object(collection, f"Clay Ball {index + 1}", builder.build("Clay Ball", [clay]))
         ball.location = (x, y, 0.0)
+        balls.append(ball)
+    return balls
 
 
 def _tool(collection, name, slots, head):

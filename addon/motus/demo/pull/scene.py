@@ -4,7 +4,7 @@ import bpy
 
 from ..places import clay_studio
 from ..stage import keying, lighting, shapes, staging
-from . import face as clay_face, terrain
+from . import balls, face as clay_face, terrain
 
 SCENE_NAME = "Motus Pull"
 FRAMES_PER_SECOND = 24
@@ -20,7 +20,8 @@ def build(context):
     studio, land, face = (staging.new_collection(scene, name) for name in ("Studio", "Landscape", "Face"))
     lighting.set_color_management(scene)
     scene.world = clay_studio.build_world()
-    clay_studio.build(studio)
+    scan, ball = clay_studio.build(studio)
+    balls.build(context, scan, ball)
     terrain.build(context, land)
     clay_face.build(context, face)
     _add_camera(scene, studio)
