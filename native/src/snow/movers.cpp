@@ -5,12 +5,13 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <span>
+#include <utility>
 
 #include "motus/core/numeric.hpp"
 
 namespace motus::snow {
 
-Movers::Movers(const std::vector<Mover>& movers) : movers_(movers) {
+Movers::Movers(std::vector<Mover> movers) : movers_(std::move(movers)) {
     for (const Mover& mover : movers_) {
         require(mover.collider != nullptr, "movers: must have colliders");
         require(!mover.times.empty() && mover.matrices.size() == mover.times.size(),

@@ -15,7 +15,7 @@ class Movers {
   public:
     /// Throws std::invalid_argument, naming movers, where times do not rise, numbers differ or one is not
     /// finite.
-    explicit Movers(const std::vector<Mover>& movers);
+    explicit Movers(std::vector<Mover> movers);
 
     [[nodiscard]] bool are_any() const noexcept { return !movers_.empty(); }
 
@@ -30,7 +30,8 @@ class Movers {
       public:
         void set(const Movers& movers, double time);
         [[nodiscard]] glm::dvec3 local(std::size_t mover, const glm::dvec3& place) const {
-            return glm::dvec3(inverses_[mover] * glm::dvec4(place, 1.0));
+            const glm::dvec4 found = inverses_[mover] * glm::dvec4(place, 1.0);
+            return {found.x, found.y, found.z};
         }
 
       private:

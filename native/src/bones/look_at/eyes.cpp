@@ -50,18 +50,18 @@ double least_jerk(double share) {
 
 }  // namespace
 
-glm::dvec2 saccade(const Saccades& given, double seconds) {
-    if (!are_finite(given.amplitude, given.rate, seconds)) return {0.0, 0.0};
-    const Saccades saccades{std::clamp(given.amplitude, 0.0, std::numbers::pi),
-                            std::clamp(given.rate, 0.0, most_rate), given.seed};
-    if (saccades.rate == 0.0 || saccades.amplitude == 0.0) return {0.0, 0.0};
-    if (std::abs(seconds) * saccades.rate > most_events) return {0.0, 0.0};
-    const double number = last_begun(saccades.rate, saccades.seed, seconds);
-    const glm::dvec2 from = place_after(saccades, number - 1.0);
-    const glm::dvec2 to = place_after(saccades, number);
-    const double begins = beginning(number, saccades.rate, saccades.seed);
+glm::dvec2 saccade(const Saccades& saccades, double seconds) {
+    if (!are_finite(saccades.amplitude, saccades.rate, seconds)) return {0.0, 0.0};
+    const Saccades clamped{std::clamp(saccades.amplitude, 0.0, std::numbers::pi),
+                           std::clamp(saccades.rate, 0.0, most_rate), saccades.seed};
+    if (clamped.rate == 0.0 || clamped.amplitude == 0.0) return {0.0, 0.0};
+    if (std::abs(seconds) * clamped.rate > most_events) return {0.0, 0.0};
+    const double number = last_begun(clamped.rate, clamped.seed, seconds);
+    const glm::dvec2 from = place_after(clamped, number - 1.0);
+    const glm::dvec2 to = place_after(clamped, number);
+    const double begins = beginning(number, clamped.rate, clamped.seed);
     const double by_size = shortest_saccade + saccade_slope * glm::degrees(glm::distance(from, to));
-    const double lasts = std::min(by_size, beginning(number + 1.0, saccades.rate, saccades.seed) - begins);
+    const double lasts = std::min(by_size, beginning(number + 1.0, clamped.rate, clamped.seed) - begins);
     return from + least_jerk((seconds - begins) / lasts) * (to - from);
 }
 
@@ -78,12 +78,12 @@ double blinks(double rate, std::uint32_t seed, double seconds) {
     // Of blinks that follow each other quickly the one that shuts the eyes more counts.
     double closed = 0.0;
     double number = last_begun(often, seed, seconds);
-    for (double since = seconds - beginning(number, often, seed); since < closing_seconds + opening_seconds;
-         since = seconds - beginning(number, often, seed)) {
+    while (true) {
+        const double since = seconds - beginning(number, often, seed);
+        if (since >= closing_seconds + opening_seconds) return closed;
         closed = std::max(closed, blink(since));
         number -= 1.0;
     }
-    return closed;
 }
 
 }  // namespace motus::bones::look_at
