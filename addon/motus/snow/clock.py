@@ -101,7 +101,7 @@ def read(emitter, fps):
     speed = Channel(emitter, SPEED, -1)
     if speed.is_constant or speed.reason:
         return steady, speed.is_constant
-    return steady._replace(keyed=speed), True
+    return steady._replace(speed=1.0, keyed=speed), True
 
 
 def looped(settings, clock, longest):
