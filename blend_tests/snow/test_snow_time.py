@@ -145,7 +145,7 @@ class OwnTime(SnowTestCase):
         emitter = self.add(**PLAIN)
         emitter.driver_add("motus.snow.time_speed").driver.expression = "0.5"
         go_to(31)
-        self.assertIn("Time Speed is driven", self.sentence(emitter))
+        self.assertIn("Tempo is driven", self.sentence(emitter))
         self.assertGreater(len(flakes(emitter)["id"]), 0)
 
 

@@ -1,4 +1,4 @@
-"""The snow's own time, which passes at the speed of the setting Time Speed, and the loop over which the snowfall repeats."""
+"""The snow's own time, which passes at the speed of the setting Tempo, and the loop over which the snowfall repeats."""
 
 import math
 from typing import Any, NamedTuple
@@ -10,7 +10,7 @@ from ..core.evaluated import copies
 from ..core.lazy import numpy as np
 
 SPEED = "motus.snow.time_speed"
-UNKNOWN = Problem("Time Speed is driven, or in NLA strips that are not known ahead: its present value counts for all the time", False)
+UNKNOWN = Problem("Tempo is driven, or in NLA strips that are not known ahead: its present value counts for all the time", False)
 NO_LOOP = Problem("A loop ends before it begins, and is none: set its end behind its start", False)
 TOO_SHORT = Problem("The loop is too short for flakes that live so long: make it longer, or the lifetime shorter")
 PROBLEMS = UNKNOWN, NO_LOOP, TOO_SHORT

@@ -72,7 +72,7 @@ class SnowKeywords:
     )
 
     time_speed: number(
-        "Time Speed",
+        "Tempo",
         "Speed of the snow's own time: 0.5 is slow motion, and at 0 it stands still; it may be keyed",
         1.0,
         ANIMATED,

@@ -120,7 +120,7 @@ INTERFACE = {
     "Flakes steer through the air, as a smooth noise of their age turns them": "Los copos derivan por el aire según los gira un ruido suave de su edad",
     "Flakes that are born all at once, beside those of the rate": "Copos que nacen todos a la vez, además de los de la tasa",
     "Flakes that are born in a second; it may be keyed": "Copos que nacen en un segundo; se puede animar con claves",
-    "Time Speed": "Velocidad del tiempo",
+    "Tempo": "Ritmo",
     "Speed of the snow's own time: 0.5 is slow motion, and at 0 it stands still; it may be keyed": "Velocidad del tiempo propio de la nieve: 0.5 es cámara lenta, y con 0 se detiene; se puede animar con claves",
     "Let the snowfall repeat over a range of frames, without a seam": "Deja que la nevada se repita sobre un rango de fotogramas, sin costura",
     "First frame of the loop": "Primer fotograma del bucle",
@@ -131,7 +131,7 @@ INTERFACE = {
     "Flakes follow the emitter, as if it had always stood where it stands now": "Los copos siguen al emisor, como si siempre hubiera estado donde está ahora",
     "Size by Scale": "Tamaño según la escala",
     "The emitter's scale counts for the size of the flakes": "La escala del emisor cuenta para el tamaño de los copos",
-    "Time Speed is driven, or in NLA strips that are not known ahead: its present value counts for all the time": "La velocidad del tiempo tiene un controlador, o franjas NLA que no se conocen de antemano: su valor actual vale "
+    "Tempo is driven, or in NLA strips that are not known ahead: its present value counts for all the time": "Ritmo tiene un controlador, o franjas NLA que no se conocen de antemano: su valor actual vale "
     "para todo el tiempo",
     "The loop is too short for flakes that live so long: make it longer, or the lifetime shorter": "El bucle es demasiado corto para copos que viven tanto: alárgalo, o acorta la vida",
     "The rate is not known ahead, and counts for all frames as it is now: key it, or record it": "La tasa no se conoce de antemano y cuenta en todos los fotogramas como es ahora: anímala con claves o regístrala",
