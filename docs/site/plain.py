@@ -94,7 +94,9 @@ def _page(address, pages, anchors):
     return PAGE.format(
         language=language,
         title=html.escape(_without_anchor(shown[address])),
-        navigation="\n".join(f'<a href="{posixpath.basename(other)}">{html.escape(_without_anchor(name))}</a>' for other, name in shown.items()),
+        navigation="\n".join(
+            f'<a href="{posixpath.basename(other)}">{html.escape(_without_anchor(name))}</a>' for other, name in shown.items()
+        ),
         body=rendered(PICTURES.sub("", pages[address]), link),
     )
 

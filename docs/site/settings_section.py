@@ -6,7 +6,7 @@ import markdown_text
 
 WORDS = {
     "en": {"title": "Every setting", "head": ("Setting", "What it does", "Values"), "default": "default"},
-    "es": {"title": "Todos los ajustes", "head": ("Ajuste", "Qué have", "Valores"), "default": "por defecto"},
+    "es": {"title": "Todos los ajustes", "head": ("Ajuste", "Para qué sirve", "Valores"), "default": "por defecto"},
 }
 KINDS = {
     "number": "número",
