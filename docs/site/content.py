@@ -94,10 +94,9 @@ class Source:
 
     @functools.cached_property
     def ids(self):
-        """{anchor on a code host: anchor in the site}. An operator's is its name, as Blender writes it."""
-        return {
-            name: re.sub(r"^`(motus\.\w+)`$", r"\1", heading) if heading[1:7] == "motus." else name for _, heading, name in self.headings
-        }
+        """{anchor on a code host: anchor in the site}. That of an operator, class or function is its name, as Blender and Python write it."""
+        named = {name: re.fullmatch(r"`([\w.]+)`", heading) for _, heading, name in self.headings}
+        return {name: code[1] if code else name for name, code in named.items()}
 
 
 def sources(root):
