@@ -77,6 +77,9 @@ ADDRESSES = {
 CARDS = re.compile(r"^(?:\|[^\n]*\n)*\|[^\n]*pictures/demo_[^\n]*\n(?:\|[^\n]*\n)*", re.MULTILINE)
 """A table of pictures of demo scenes."""
 
+KEYWORDS = re.compile(r"^\| keyword \|[^\n]*\n(?:\|[^\n]*\n?)+", re.MULTILINE)
+"""A table of an operator's keywords."""
+
 
 @dataclass
 class Source:
@@ -94,10 +97,9 @@ class Source:
 
     @functools.cached_property
     def ids(self):
-        """{anchor on a code host: anchor in the site}. An operator's is its name, as Blender writes it."""
-        return {
-            name: re.sub(r"^`(motus\.\w+)`$", r"\1", heading) if heading[1:7] == "motus." else name for _, heading, name in self.headings
-        }
+        """{anchor on a code host: anchor in the site}. That of an operator, class or function is its name, as Blender and Python write it."""
+        named = {name: re.fullmatch(r"`([\w.]+)`", heading) for _, heading, name in self.headings}
+        return {name: code[1] if code else name for name, code in named.items()}
 
 
 def sources(root):
@@ -172,6 +174,7 @@ def _page(root, source, known, groups):
     """A page's Markdown."""
     text = markdown_text.with_anchors(source.text, source.ids.values())
     text = CARDS.sub(lambda table: f'<div class="motus-cards" markdown>\n\n{table[0]}\n</div>\n', text)
+    text = KEYWORDS.sub(lambda table: f'<div class="motus-rows" markdown>\n\n{table[0]}\n</div>\n', text)
     text = markdown_text.with_links(
         text,
         lambda words, target: _link(source, known, words, target),

@@ -5,6 +5,7 @@ import re
 FENCE = re.compile(r"^```[^\n]*\n.*?^```$", re.DOTALL | re.MULTILINE)
 TOKEN = re.compile(
     r"(?P<fence>^```[^\n]*\n.*?^```$)"
+    r"|(?P<indented>^ {4}[^\n]*$)"
     r"|(?P<code>(?P<ticks>`+)[^\n]+?(?P=ticks))"
     r"|!\[(?P<alt>[^\]]*)\]\((?P<picture>[^)\s]+)\)"
     r"|(?<!!)\[(?P<text>[^\]]*)\]\((?P<link>[^)\s]+)\)",

@@ -5,10 +5,27 @@ import re
 import markdown_text
 
 WORDS = {
-    "en": {"title": "Every setting", "head": ("Setting", "What it does", "Values"), "default": "at first"},
-    "es": {"title": "Todos los ajustes", "head": ("Ajuste", "Qué have", "Valores"), "default": "al principio"},
+    "en": {"title": "Every setting", "head": ("Setting", "What it does", "Values"), "default": "default"},
+    "es": {"title": "Todos los ajustes", "head": ("Ajuste", "Para qué sirve", "Valores"), "default": "por defecto"},
 }
-UNITS = {}
+KINDS = {
+    "number": "número",
+    "whole number": "número entero",
+    "switch": "interruptor",
+    "choice": "elección",
+    "choices": "elecciones",
+    "object": "objeto",
+    "text": "texto",
+    "collection": "colección",
+    "vector": "vector",
+    "action": "acción",
+    "color": "color",
+    "material": "material",
+    "image": "imagen",
+    "on": "activado",
+    "off": "desactivado",
+}
+"""In Spanish: kinds of values, and values of switches."""
 
 
 def anchors(groups):
@@ -25,7 +42,9 @@ def section(groups, language):
     words = WORDS[language]
     parts = [f"\n## {words['title']} {{#every-setting}}\n"]
     for group in groups:
-        parts.append(f"\n### {_word(group, 'title', language)} {{#{group['struct'].lower()}}}\n\n<div class=\"motus-settings\" markdown>\n")
+        parts.append(
+            f"\n### {_word(group, 'title', language)} {{#{group['struct'].lower()}}}\n\n<div class=\"motus-rows motus-settings\" markdown>\n"
+        )
         parts.append(f"| {' | '.join(words['head'])} |\n|---|---|---|")
         parts += [_row(group, setting, language, words["default"]) for setting in group["settings"]]
         parts.append("\n</div>\n")
@@ -49,6 +68,8 @@ def _row(group, setting, language, default):
         f"**{_word(choice, 'name', language)}** `{choice['id']}`" + (f": {_word(choice, 'text', language)}" if choice["text"] else "")
         for choice in setting.get("choices", ())
     ]
-    values = [markdown_text.escaped(setting[key]) for key in ("kind", "unit", "range") if setting[key]]
-    first = [f"{default}: `{setting['default']}`"] if setting["default"] else []
+    words = KINDS if language == "es" else {}
+    values = [markdown_text.escaped(words.get(setting[key], setting[key])) for key in ("kind", "range", "unit") if setting[key]]
+    values = [value.replace(" ", "\N{NO-BREAK SPACE}") for value in values]
+    first = [f"{default} `{words.get(setting['default'], setting['default'])}`"] if setting["default"] else []
     return f"| {name} | {'<br>'.join(does)} | {'<br>'.join((', '.join(values), *first))} |"
