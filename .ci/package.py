@@ -20,6 +20,10 @@ import zipfile
 from pathlib import Path
 
 CLONE = Path(__file__).resolve().parents[1]
+sys.path.append(str(CLONE / "docs" / "site"))
+
+import plain  # noqa: E402  (found by the line above)
+
 SOURCES = CLONE / "addon" / "motus"
 IGNORED = shutil.ignore_patterns("__pycache__", ".*", "*.in")
 MANIFEST = "blender_manifest.toml"
@@ -50,6 +54,7 @@ def stage(folder, modules, platforms=("linux-x64",), wheels=()):
         manifest = manifest.replace(f"@MOTUS_{name}@", value)
     (folder / MANIFEST).write_text(manifest, encoding="utf-8")
     shutil.copy2(CLONE / "LICENSE", folder)
+    plain.write(CLONE, folder / "manual")
     for module in (stub(), *modules) if modules else ():
         shutil.copy2(module, folder)
     for wheel in wheels:

@@ -265,6 +265,14 @@ class PagesTest(support.SceneTestCase):
         page = (DOCS / "kept.md").read_text(encoding="utf-8")
         self.assertEqual(page, kept_page.text(), "run ./motus docs kept")
 
+    def test_the_table_of_settings_is_that_of_the_classes(self):
+        import settings_page
+
+        self.assertTrue(
+            (DOCS / "settings.json").read_text(encoding="utf-8") == settings_page.text(),
+            "run ./motus docs settings",
+        )
+
     def test_the_operator_page_names_every_operator_and_keyword(self):
         import operator_page
 

@@ -1,6 +1,6 @@
-"""Makes the generated parts of the manual: the pages of operators and of what is kept, and the pictures.
+"""Makes the generated parts of the manual: the pages of operators and of what is kept, the table of all settings, and the pictures.
 
-`./motus docs` runs it inside Blender, `./motus docs operators` or `./motus docs kept` for a page alone.
+`./motus docs` runs it inside Blender, `./motus docs operators`, `./motus docs kept` or `./motus docs settings` for one of them alone.
 
 What is seen in a window is made by `./motus docs steps`, also the insets in the pictures of the demo scenes: steps.py.
 """
@@ -25,16 +25,18 @@ import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
 import pendulum_pictures  # noqa: E402
 import pull_pictures  # noqa: E402
+import settings_page  # noqa: E402
 import snow_pictures  # noqa: E402
 import stereo_pictures  # noqa: E402
 import support  # noqa: E402
 import walker_pictures  # noqa: E402
 
 support.enable()
-chosen, pages = sys.argv[sys.argv.index("--") + 1 :], {"operators": operator_page, "kept": kept_page}
-for name in chosen or pages:
-    (HERE / f"{name}.md").write_text(pages[name].text(), encoding="utf-8")
-    print(f"docs/{name}.md")
+chosen = sys.argv[sys.argv.index("--") + 1 :]
+pages = {"operators": ("operators.md", operator_page), "kept": ("kept.md", kept_page), "settings": ("settings.json", settings_page)}
+for file, page in (pages[name] for name in chosen or pages):
+    (HERE / file).write_text(page.text(), encoding="utf-8")
+    print(f"docs/{file}")
 if chosen:
     sys.exit()
 pictures = HERE / "pictures"

@@ -146,7 +146,7 @@ class MOTUS_PG_chains_entry(ChainsKeywords, drawn_curves.DrawnCurve, bpy.types.P
         description="Index of the spline of a curve whose points hang; -1 for bones and objects",
         default=-1,
         min=-1,
-        options=set(),
+        options={'HIDDEN'},
     )
     is_muted: switch("Mute", "Switch this chain off", options=ANIMATED)
     is_scaled: bpy.props.BoolProperty(name="Scaled", description="Squash is not 0", options={'HIDDEN'}, override=OVERRIDABLE)

@@ -63,11 +63,11 @@ def _play_background(noted, _context):
 
 
 def _measured(name, description):
-    return bpy.props.FloatProperty(name=name, description=description, min=0.0, options=set(), override=OVERRIDABLE)
+    return bpy.props.FloatProperty(name=name, description=description, min=0.0, options={'HIDDEN'}, override=OVERRIDABLE)
 
 
 def _before(kind, name, **more):
-    return kind(name=name, description="Value that the scene had before the key", options=set(), **more)
+    return kind(name=name, description="Value that the scene had before the key", options={'HIDDEN'}, **more)
 
 
 class MOTUS_PG_chroma(bpy.types.PropertyGroup):
@@ -95,24 +95,24 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
         type=bpy.types.Image, name="Background", description="The clip or image that lies underneath", update=_play_background
     )
     active_key: bpy.props.IntProperty(
-        name="Key", description="Index of the key that the panel shows", min=0, options=set(), override=OVERRIDABLE
+        name="Key", description="Index of the key that the panel shows", min=0, options={'HIDDEN'}, override=OVERRIDABLE
     )
     gap: bpy.props.StringProperty(
-        name="Gap", description="Pictures that are missing in sequences, and the frames in which they are", options=set()
+        name="Gap", description="Pictures that are missing in sequences, and the frames in which they are", options={'HIDDEN'}
     )
-    plane: to_object('MESH', name="Plane", description="Plane before the camera that shows the key in the viewport")
+    plane: to_object('MESH', name="Plane", description="Plane before the camera that shows the key in the viewport", options={'HIDDEN'})
     share: _measured("Screen", "Share of the picture that the screen fills")
     luminance_spread: _measured("Unevenness", "Spread of the screen's luminance, over its median")
     chroma_spread: _measured("Color Noise", "Spread of the screen's chromaticity")
     spill: _measured("Spill", "Light of the screen on the subject, 1 for as much as on the screen itself")
-    is_tree_made: bpy.props.BoolProperty(name="Tree Made", description="The compositor's nodes were made for the key", options=set())
+    is_tree_made: bpy.props.BoolProperty(name="Tree Made", description="The compositor's nodes were made for the key", options={'HIDDEN'})
     is_switched_on: bpy.props.BoolProperty(
-        name="Nodes Switched On", description="The compositor was switched on for the key", options=set()
+        name="Nodes Switched On", description="The compositor was switched on for the key", options={'HIDDEN'}
     )
     before_node: _before(bpy.props.StringProperty, "Node Before")
     before_socket: _before(bpy.props.StringProperty, "Socket Before")
     is_scene_set: bpy.props.BoolProperty(
-        name="Scene Set", description="The scene was given the footage's size, frames and colours", options=set()
+        name="Scene Set", description="The scene was given the footage's size, frames and colours", options={'HIDDEN'}
     )
     before_resolution: _before(bpy.props.IntVectorProperty, "Resolution Before", size=3, min=1)
     before_aspect: _before(bpy.props.FloatVectorProperty, "Pixel Aspect Before", size=2, min=1.0)

@@ -144,6 +144,7 @@ class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
         description="Data path of the property that has the dynamics; empty for the object itself, or its bone",
         update=rewire,
         override=OVERRIDABLE,
+        options={'HIDDEN'},
     )
     index: bpy.props.IntProperty(
         name="Index",
@@ -151,11 +152,11 @@ class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
         default=-1,
         min=-1,
         update=rewire,
-        options=set(),
+        options={'HIDDEN'},
         override=OVERRIDABLE,
     )
     chain: bpy.props.StringProperty(
-        name="Chain", description="Topmost bone of the chain that it was added with", options=set(), override=OVERRIDABLE
+        name="Chain", description="Topmost bone of the chain that it was added with", options={'HIDDEN'}, override=OVERRIDABLE
     )
     mass: bpy.props.FloatProperty(
         name="Mass",

@@ -7,12 +7,15 @@ from ..core.settings import OVERRIDABLE
 
 class MOTUS_PG_lattice(bpy.types.PropertyGroup):
     is_fitted: bpy.props.BoolProperty(
-        name="Fitted", description="Motus has made this lattice, and removes it with its last modifier", options=set(), override=OVERRIDABLE
+        name="Fitted",
+        description="Motus has made this lattice, and removes it with its last modifier",
+        options={'HIDDEN'},
+        override=OVERRIDABLE,
     )
     vertex_group: bpy.props.StringProperty(
         name="Vertex Group",
         description="Vertex group that was made for the vertices that the lattice deforms",
-        options=set(),
+        options={'HIDDEN'},
         override=OVERRIDABLE,
     )
 

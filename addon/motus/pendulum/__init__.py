@@ -10,6 +10,7 @@ from . import build, drag, operators, over_time, overlay, panel, parts, presets,
 SYSTEM = System(
     name="pendulum",
     label="Pendulum",
+    page="pendulums",
     hand_over='KEYS',
     settings=properties.MOTUS_PG_pendulum,
     classes=(
@@ -45,6 +46,7 @@ SYSTEM = System(
 TRAILS = System(
     name="pendulum_trail",
     label="Pendulum Trails",
+    page="pendulums",
     hand_over='POINTS',
     settings=properties.MOTUS_PG_pendulum_trail,
     classes=(properties.MOTUS_PG_pendulum_trail, *panel.trail_classes),

@@ -155,24 +155,24 @@ PLOTS = (
 
 
 class MOTUS_PG_pendulum_rod(bpy.types.PropertyGroup):
-    object: to_object(name="Object", description="Rod that the pendulum turns", update=rewire, override=OVERRIDABLE)
-    bob: to_object(name="Bob", description="What hangs at the end of the rod", override=OVERRIDABLE)
+    object: to_object(name="Object", description="Rod that the pendulum turns", update=rewire, override=OVERRIDABLE, options={'HIDDEN'})
+    bob: to_object(name="Bob", description="What hangs at the end of the rod", override=OVERRIDABLE, options={'HIDDEN'})
     is_placed: bpy.props.BoolProperty(
-        name="Placed", description="The bob was there before, and is given back", options=set(), override=OVERRIDABLE
+        name="Placed", description="The bob was there before, and is given back", options={'HIDDEN'}, override=OVERRIDABLE
     )
     number: bpy.props.IntProperty(
-        name="Number", description="Index of the rod in its pendulum and fan", min=0, options=set(), override=OVERRIDABLE
+        name="Number", description="Index of the rod in its pendulum and fan", min=0, options={'HIDDEN'}, override=OVERRIDABLE
     )
     rest: bpy.props.FloatVectorProperty(
         name="Rest",
         description="Transform of the bob at the end of its rod",
         size=16,
-        options=set(),
+        options={'HIDDEN'},
         override=OVERRIDABLE,
         default=(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1),
     )
     before: bpy.props.FloatVectorProperty(
-        name="Before", description="What a placed bob's parent inverse was", size=16, options=set(), override=OVERRIDABLE
+        name="Before", description="What a placed bob's parent inverse was", size=16, options={'HIDDEN'}, override=OVERRIDABLE
     )
 
 
@@ -197,9 +197,11 @@ class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGrou
         override=OVERRIDABLE,
     )
     rods: bpy.props.CollectionProperty(type=MOTUS_PG_pendulum_rod, name="Rods", override=EXTENDABLE)
-    trail: to_object('MESH', name="Trail", description="Object that shows the ways of the end bobs", override=OVERRIDABLE)
+    trail: to_object(
+        'MESH', name="Trail", description="Object that shows the ways of the end bobs", override=OVERRIDABLE, options={'HIDDEN'}
+    )
     has_made_pivot: bpy.props.BoolProperty(
-        name="Made", description="Motus has made the pivot, and removes it with the pendulum", options=set(), override=OVERRIDABLE
+        name="Made", description="Motus has made the pivot, and removes it with the pendulum", options={'HIDDEN'}, override=OVERRIDABLE
     )
 
 
@@ -217,6 +219,10 @@ TRAIL_KEYWORDS = tuple(TrailKeywords.__annotations__)
 
 
 class MOTUS_PG_pendulum_trail(SystemSettings, TrailKeywords, bpy.types.PropertyGroup):
-    pivot: to_object(name="Pivot", description="Pivot of the pendulum whose way the trail shows", update=rewire, override=OVERRIDABLE)
-    rod: to_object(name="Rod", description="A rod of the pendulum, by which it is found if the pivot is gone", override=OVERRIDABLE)
+    pivot: to_object(
+        name="Pivot", description="Pivot of the pendulum whose way the trail shows", update=rewire, override=OVERRIDABLE, options={'HIDDEN'}
+    )
+    rod: to_object(
+        name="Rod", description="A rod of the pendulum, by which it is found if the pivot is gone", override=OVERRIDABLE, options={'HIDDEN'}
+    )
     influence: _number("Influence", "Whether the trail is shown: 0 hides it", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')

@@ -210,7 +210,9 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
         options=set(),
         update=lambda _brush, _context: viewports.redraw(),
     )
-    last: bpy.props.PointerProperty(type=MOTUS_PG_pull_record, name="Last Pull", description="Last pull, which a pin can be made of")
+    last: bpy.props.PointerProperty(
+        type=MOTUS_PG_pull_record, name="Last Pull", description="Last pull, which a pin can be made of", options={'HIDDEN'}
+    )
 
 
 def is_finite(value):

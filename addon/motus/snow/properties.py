@@ -293,9 +293,9 @@ def _is_other_mesh(settings, obj):
 
 
 class MOTUS_PG_snow_recorded(bpy.types.PropertyGroup):
-    object: to_object(name="Object", description="Collider that was recorded", override=OVERRIDABLE)
+    object: to_object(name="Object", description="Collider that was recorded", override=OVERRIDABLE, options={'HIDDEN'})
     count: bpy.props.IntProperty(
-        name="Count", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE
+        name="Count", description="How many of the recorded triangles are the collider's", min=0, options={'HIDDEN'}, override=OVERRIDABLE
     )
 
 
@@ -321,15 +321,18 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, FormerSettings, bpy.types.Prop
     more_colliders: bpy.props.CollectionProperty(
         type=MOTUS_PG_snow_collider, name="More Colliders", description="Further mesh objects that flakes land on", override=EXTENDABLE
     )
-    recorded: to_object('MESH', name="Recorded", description="Recorded mesh that flakes land on", update=rewire, override=OVERRIDABLE)
+    recorded: to_object(
+        'MESH', name="Recorded", description="Recorded mesh that flakes land on", update=rewire, override=OVERRIDABLE, options={'HIDDEN'}
+    )
     recorded_of: bpy.props.CollectionProperty(
         type=MOTUS_PG_snow_recorded,
         name="Recorded Colliders",
         description="Colliders of the recorded mesh, in the order of its faces",
         override=EXTENDABLE,
+        options={'HIDDEN'},
     )
     recorded_frame: bpy.props.FloatProperty(
-        name="Recorded Frame", description="Frame on which the colliders were recorded", options=set(), override=OVERRIDABLE
+        name="Recorded Frame", description="Frame on which the colliders were recorded", options={'HIDDEN'}, override=OVERRIDABLE
     )
     camera: to_object('CAMERA', name="Camera", description="Camera in whose view the flakes are born", update=rewire, override=OVERRIDABLE)
     flake: to_object(name="Flake", description="Object that flakes are instances of", update=_dress, override=OVERRIDABLE)
@@ -343,9 +346,9 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, FormerSettings, bpy.types.Prop
     reads: bpy.props.StringProperty(
         name="Reads",
         description="What the solver waits for beside its settings, to notice where it has changed since",
-        options=set(),
+        options={'HIDDEN'},
         override=OVERRIDABLE,
     )
     has_made_emitter: bpy.props.BoolProperty(
-        name="Made", description="Motus has made the emitter, and removes it with the snow", options=set(), override=OVERRIDABLE
+        name="Made", description="Motus has made the emitter, and removes it with the snow", options={'HIDDEN'}, override=OVERRIDABLE
     )

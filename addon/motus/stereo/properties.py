@@ -104,37 +104,43 @@ class MOTUS_PG_stereo(StereoKeywords, SystemSettings, bpy.types.PropertyGroup):
         max=50.0,
     )
     before_mode: bpy.props.StringProperty(
-        name="Mode Before", description="Convergence mode that the camera had without the rig", options=set()
+        name="Mode Before", description="Convergence mode that the camera had without the rig", options={'HIDDEN'}
     )
-    before_pivot: bpy.props.StringProperty(name="Pivot Before", description="Pivot that the camera had without the rig", options=set())
+    before_pivot: bpy.props.StringProperty(name="Pivot Before", description="Pivot that the camera had without the rig", options={'HIDDEN'})
     before_type: bpy.props.StringProperty(
-        name="Type Before", description="Type that the camera had before it was made to see all around", options=set()
+        name="Type Before", description="Type that the camera had before it was made to see all around", options={'HIDDEN'}
     )
     before_panorama: bpy.props.StringProperty(
-        name="Panorama Before", description="Kind of panorama that the camera had before it was made to see all around", options=set()
+        name="Panorama Before", description="Kind of panorama that the camera had before it was made to see all around", options={'HIDDEN'}
     )
     before_spherical: bpy.props.BoolProperty(
-        name="Spherical Before", description="Whether the camera's stereo was spherical before it was made to see all around", options=set()
+        name="Spherical Before",
+        description="Whether the camera's stereo was spherical before it was made to see all around",
+        options={'HIDDEN'},
     )
     before_merge: bpy.props.BoolProperty(
-        name="Merge Before", description="Whether the eyes met at the poles before the camera was made to see all around", options=set()
+        name="Merge Before",
+        description="Whether the eyes met at the poles before the camera was made to see all around",
+        options={'HIDDEN'},
     )
     before_angles: bpy.props.FloatVectorProperty(
         name="Angles Before",
         description="Limits of latitude and longitude that the camera's panorama had before it was made to see all around",
         size=4,
         default=(-0.5 * math.pi, 0.5 * math.pi, -math.pi, math.pi),
-        options=set(),
+        options={'HIDDEN'},
     )
 
 
 class MOTUS_PG_stereo_scene(bpy.types.PropertyGroup):
     is_multiview_made: bpy.props.BoolProperty(
-        name="Multiview Made", description="A rig has switched multiview on in the scene", options=set()
+        name="Multiview Made", description="A rig has switched multiview on in the scene", options={'HIDDEN'}
     )
     before_views: bpy.props.StringProperty(
-        name="Views Before", description="Format of views that the scene had before a rig switched multiview on", options=set()
+        name="Views Before", description="Format of views that the scene had before a rig switched multiview on", options={'HIDDEN'}
     )
     before_height: bpy.props.IntProperty(
-        name="Height Before", description="Height of pictures that the scene had before a camera was made to see all around", options=set()
+        name="Height Before",
+        description="Height of pictures that the scene had before a camera was made to see all around",
+        options={'HIDDEN'},
     )

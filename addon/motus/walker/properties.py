@@ -145,7 +145,7 @@ NUMBERS = (
 
 
 def _numbers(name, description):
-    return vector(name, description, subtype='XYZ', unit='LENGTH')
+    return vector(name, description, subtype='XYZ', unit='LENGTH', options={'HIDDEN'})
 
 
 class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
@@ -156,7 +156,7 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
         options=set(),
         override=OVERRIDABLE,
     )
-    foot: to_object(name="Foot", description="Object that is the foot", update=rewire, override=OVERRIDABLE)
+    foot: to_object(name="Foot", description="Object that is the foot", update=rewire, override=OVERRIDABLE, options={'HIDDEN'})
     rest: _numbers("Rest", "Position of the foot, in the body's space, if the body stands on level ground")
     turn: vector(
         "Turn",
@@ -164,6 +164,7 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
         4,
         default=(1.0, 0.0, 0.0, 0.0),
         subtype='QUATERNION',
+        options={'HIDDEN'},
     )
     hip: _numbers("Hip", "Position where the leg begins, in the body's space")
     length: _length("Length", "Length of the whole leg, before the body's scale; 0 for a leg that reaches everywhere", 0.0)
@@ -171,7 +172,7 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_walker_step(bpy.types.PropertyGroup):
-    leg: whole("Leg", "Index of the leg whose step was changed", 0, min=0)
+    leg: whole("Leg", "Index of the leg whose step was changed", 0, min=0, options={'HIDDEN'})
     frame: _number("Frame", "Frame on which the foot stands, or swings to its foothold", 0.0)
     offset: _numbers("Offset", "How far the foothold was moved, along the body's axes; the foot stands on the ground there")
     turn: _number(
@@ -182,7 +183,7 @@ class MOTUS_PG_walker_step(bpy.types.PropertyGroup):
         soft_min=-math.pi,
         soft_max=math.pi,
     )
-    is_locked: switch("Locked", "The foot stands at the place, whatever body and ground do")
+    is_locked: switch("Locked", "The foot stands at the place, whatever body and ground do", options={'HIDDEN'})
     place: _numbers("Place", "Where the foot of a locked step stands, in the world or in the carrier's space")
     rotation: vector(
         "Rotation",
@@ -190,6 +191,7 @@ class MOTUS_PG_walker_step(bpy.types.PropertyGroup):
         4,
         default=(1.0, 0.0, 0.0, 0.0),
         subtype='QUATERNION',
+        options={'HIDDEN'},
     )
 
 

@@ -119,6 +119,11 @@ def described(system: Feature) -> list[Any]:
     return list(dict.fromkeys(one for one in found if one is not None))
 
 
+def page(feature: Feature) -> str:
+    """Name of the manual's page of a feature."""
+    return feature.page or feature.name
+
+
 def title(system: Feature) -> tuple[str, str]:
     """(label, translation context of the label) of a system, for menus, panels and dialogs."""
     panel = next(iter(described(system)), None)

@@ -17,7 +17,8 @@ from .members import Points
 class Feature:
     """Declaration of what a folder of the add-on adds to Blender's interface: settings, operators, panels, menus; see docs/systems.md.
 
-    name: of the folder. label: name for users, in English. classes: all classes that Blender registers, in the order of registration.
+    name: of the folder. label: name for users, in English. page: name of its page in the manual, if it is not `name`. classes: all classes
+    that Blender registers, in the order of registration.
     settings: PropertyGroup that becomes Object.motus.<name>, or None. scene_settings: PropertyGroup that becomes Scene.motus.<name>.
     extras: modules or objects whose register() and unregister() are called too. overlay: Overlay that the viewport shows for
     selected objects (core/interface/overlay.py), or None. offers: module or object with the functions that different systems may call,
@@ -36,6 +37,7 @@ class Feature:
     overlay: Callable[..., Any] | None = None
     offers: Any = None
     hand_over: str = ""
+    page: str = ""
     add_menu: tuple[Any, ...] = ()
     object_menu: tuple[Any, ...] = ()
     pose_menu: tuple[Any, ...] = ()

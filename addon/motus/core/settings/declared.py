@@ -1,8 +1,8 @@
 """Declare properties of settings that library overrides may change. An edit of such a property evaluates the owner again.
 
-options: ANIMATED if keys and drivers may set the property. tells_no_keys: whether the tooltip of a property without options ends with the
-reason why it cannot be keyed. more: further arguments of the function of bpy.props, which replace those that are set here (`update`, `min`,
-`subtype`, ...).
+options: ANIMATED if keys and drivers may set the property, {'HIDDEN'} if no panel shows it. tells_no_keys: whether the tooltip of a property
+that is not ANIMATED ends with the reason why it cannot be keyed. more: further arguments of the function of bpy.props, which replace those
+that are set here (`update`, `min`, `subtype`, ...).
 """
 
 import bpy
@@ -11,7 +11,7 @@ from .system_settings import NO_KEYS, OVERRIDABLE, touch
 
 
 def _common(name, description, default, options, tells_no_keys, more):
-    ending = NO_KEYS if tells_no_keys and not options else ""
+    ending = NO_KEYS if tells_no_keys and 'ANIMATABLE' not in options else ""
     own = {"name": name, "description": description + ending, "default": default, "options": set(options)}
     return own | {"update": touch, "override": OVERRIDABLE} | more
 

@@ -31,7 +31,7 @@ _POINT = re.compile(r"\s*(\S+)\s+(\S+)(?:\s+(\w+))?\s*")
 
 def pointer(**options):
     """Declare the property `curve_nodes`. options: further keywords of a PointerProperty."""
-    return to_node_tree(name="Curve Nodes", description="Hidden node group that holds the drawn curve", **options)
+    return to_node_tree(name="Curve Nodes", description="Hidden node group that holds the drawn curve", options={'HIDDEN'}, **options)
 
 
 class DrawnCurve:

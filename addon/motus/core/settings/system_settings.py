@@ -54,7 +54,9 @@ def _is_keyword(item):
 class MOTUS_PG_helper(bpy.types.PropertyGroup):
     """List item that points to a hidden helper object, which Motus creates when a system is set up on an object."""
 
-    object: to_object(name="Object", description="Hidden object that computes for this one", override={'LIBRARY_OVERRIDABLE'})
+    object: to_object(
+        name="Object", description="Hidden object that computes for this one", override={'LIBRARY_OVERRIDABLE'}, options={'HIDDEN'}
+    )
 
 
 class SystemSettings:
@@ -64,26 +66,28 @@ class SystemSettings:
     """
 
     is_active: bpy.props.BoolProperty(
-        name="Active", description="This system drives the object", options=set(), override={'LIBRARY_OVERRIDABLE'}
+        name="Active", description="This system drives the object", options={'HIDDEN'}, override={'LIBRARY_OVERRIDABLE'}
     )
     is_baked: bpy.props.BoolProperty(
         name="Baked",
         description="The motion stands in keyframes and the live set-up is switched off",
-        options=set(),
+        options={'HIDDEN'},
         override={'LIBRARY_OVERRIDABLE'},
     )
     is_released: bpy.props.BoolProperty(
         name="Released",
         description="What the library has wired on this override was taken off it",
-        options=set(),
+        options={'HIDDEN'},
         override={'LIBRARY_OVERRIDABLE'},
     )
-    hub: to_object(name="Hub", description="Hidden object that computes for all members", override={'LIBRARY_OVERRIDABLE'})
+    hub: to_object(
+        name="Hub", description="Hidden object that computes for all members", override={'LIBRARY_OVERRIDABLE'}, options={'HIDDEN'}
+    )
     row: bpy.props.IntProperty(
         name="Row",
         description="Which of the objects that share the hub this one is",
         min=0,
-        options=set(),
+        options={'HIDDEN'},
         override={'LIBRARY_OVERRIDABLE'},
     )
     more_hubs: bpy.props.CollectionProperty(
@@ -91,18 +95,25 @@ class SystemSettings:
         name="More Hubs",
         description="Hubs of the groups but the first, by the groups' keys",
         override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'},
+        options={'HIDDEN'},
     )
     targets: bpy.props.CollectionProperty(
         type=MOTUS_PG_helper,
         name="Targets",
         description="Hidden objects that the constraints have as targets",
         override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'},
+        options={'HIDDEN'},
     )
     wired: bpy.props.StringProperty(
-        name="Wired", description="What was wired, to notice where it has changed since", options=set(), override={'LIBRARY_OVERRIDABLE'}
+        name="Wired",
+        description="What was wired, to notice where it has changed since",
+        options={'HIDDEN'},
+        override={'LIBRARY_OVERRIDABLE'},
     )
-    order_proxy: to_object(name="Order Proxy", description="Hidden object that lets the curve's deformation be evaluated first")
-    leader: to_object(name="Leader", description="Object whose settings drive this one")
+    order_proxy: to_object(
+        name="Order Proxy", description="Hidden object that lets the curve's deformation be evaluated first", options={'HIDDEN'}
+    )
+    leader: to_object(name="Leader", description="Object whose settings drive this one", options={'HIDDEN'})
 
 
 classes = (MOTUS_PG_helper,)

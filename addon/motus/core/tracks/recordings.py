@@ -47,10 +47,10 @@ class MOTUS_PG_recording(bpy.types.PropertyGroup):
     head: bpy.props.StringProperty(
         name="Header",
         description="Times at which the samples were taken, and their source",
-        options=set(),
+        options={'HIDDEN'},
         override={'LIBRARY_OVERRIDABLE'},
     )
-    data: bpy.props.StringProperty(name="Data", description="The samples", options=set(), override={'LIBRARY_OVERRIDABLE'})
+    data: bpy.props.StringProperty(name="Data", description="The samples", options={'HIDDEN'}, override={'LIBRARY_OVERRIDABLE'})
 
 
 class Recording(NamedTuple):

@@ -27,15 +27,15 @@ class CheckResults:
     """Mixin of an entry's settings with the last result of the operator motus.ik_check."""
 
     check_range: bpy.props.StringProperty(
-        name="Checked", description="Frames that were checked; empty before any check", options=set(), override=OVERRIDABLE
+        name="Checked", description="Frames that were checked; empty before any check", options={'HIDDEN'}, override=OVERRIDABLE
     )
     check_step: bpy.props.FloatProperty(
-        name="Step", description="Frames from one that was checked to the next", default=1.0, options=set(), override=OVERRIDABLE
+        name="Step", description="Frames from one that was checked to the next", default=1.0, options={'HIDDEN'}, override=OVERRIDABLE
     )
     check_frames: bpy.props.StringProperty(
         name="Frames",
         description="Frames on which the chain does not come to its target, such as 12-40, 77",
-        options=set(),
+        options={'HIDDEN'},
         override=OVERRIDABLE,
     )
     check_worst: bpy.props.FloatProperty(
@@ -43,11 +43,15 @@ class CheckResults:
         description="The largest distance that is left to the target",
         subtype='DISTANCE',
         min=0.0,
-        options=set(),
+        options={'HIDDEN'},
         override=OVERRIDABLE,
     )
     check_reason: bpy.props.EnumProperty(
-        name="Reason", description="Reason on the frame on which the chain falls shortest", items=WHY, options=set(), override=OVERRIDABLE
+        name="Reason",
+        description="Reason on the frame on which the chain falls shortest",
+        items=WHY,
+        options={'HIDDEN'},
+        override=OVERRIDABLE,
     )
 
 

@@ -31,7 +31,7 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     )
     falloff: choice("Falloff", "How the force fades from the root to the radius", FALLOFFS, 'SMOOTH')
     scale_factor: number("Scale Factor", "Steepness of the classic falloff", 0.0, soft_min=-10.0, soft_max=10.0)
-    curve: vector("Curve", "Forces at equal steps from the radius to the root", CURVE_SAMPLES)
+    curve: vector("Curve", "Forces at equal steps from the radius to the root", CURVE_SAMPLES, options={'HIDDEN'})
     distance: choice("Distance", "How the distance to the root is measured", DISTANCES, 'STRAIGHT')
     weld: number("Weld Distance", "Vertices within this distance of each other move as one; 0 welds none", 0.0, min=0.0, soft_max=0.1)
     displacement: vector("Displacement", "How far the root goes at the strength 1, in the object", 3, subtype='XYZ')
@@ -54,19 +54,26 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
         name="Shape",
         description="Name of the mesh's attribute that stores the displacement of each vertex, for a pin that was made of a stroke; empty "
         "for a pin with a root",
-        options=set(),
+        options={'HIDDEN'},
         update=touch,
         override=OVERRIDABLE,
     )
     metric: vector(
-        "Metric", "Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured", 9, default=UNIT_METRIC
+        "Metric",
+        "Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured",
+        9,
+        default=UNIT_METRIC,
+        options={'HIDDEN'},
     )
-    place: vector("Place", "Position of the root in the mesh", 3, subtype='XYZ')
+    place: vector("Place", "Position of the root in the mesh", 3, subtype='XYZ', options={'HIDDEN'})
     anchor: bpy.props.IntProperty(
-        name="Anchor", description="Number by which the mesh marks the root; 0 if the mesh has no mark", options=set(), override=OVERRIDABLE
+        name="Anchor",
+        description="Number by which the mesh marks the root; 0 if the mesh has no mark",
+        options={'HIDDEN'},
+        override=OVERRIDABLE,
     )
     vertex: bpy.props.IntProperty(
-        name="Vertex", description="Index that the root had at the last evaluation", options=set(), override=OVERRIDABLE
+        name="Vertex", description="Index that the root had at the last evaluation", options={'HIDDEN'}, override=OVERRIDABLE
     )
 
 

@@ -6,6 +6,7 @@ from . import build, look, operators, panel, presets, properties, solve
 SYSTEM = System(
     name="snow_cover",
     label="Snow Cover",
+    page="snow",
     hand_over='FACES',
     settings=properties.MOTUS_PG_snow_cover,
     classes=(

@@ -106,5 +106,5 @@ class MOTUS_PG_snow_cover(SystemSettings, SnowCoverKeywords, bpy.types.PropertyG
         type=bpy.types.Material, name="Material", description="Material of the lying snow", update=_dress, override=OVERRIDABLE
     )
     reads: bpy.props.StringProperty(
-        name="Reads", description="Objects that the solver waits for, to notice changes", options=set(), override=OVERRIDABLE
+        name="Reads", description="Objects that the solver waits for, to notice changes", options={'HIDDEN'}, override=OVERRIDABLE
     )
