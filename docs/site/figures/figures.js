@@ -7,7 +7,7 @@ const MotusFigures = (() => {
   const language = document.documentElement.lang.startsWith("es") ? "es" : "en";
   const definitions = {};
   const figures = [];
-  let bytes = null;
+  let packed = null;
 
   /** A text in the page's language: of ["English", "Spanish"], or one for both. */
   const say = (text) => (Array.isArray(text) ? text[language === "es" ? 1 : 0] : text);
@@ -49,7 +49,12 @@ const MotusFigures = (() => {
         const rest = new Uint8Array(exports.memory.buffer, text);
         throw new Error(new TextDecoder().decode(rest.slice(0, rest.indexOf(0))));
       };
-      exports = (await WebAssembly.instantiate(bytes, { motus: { refuse } })).instance.exports;
+      // What the C library would write a last word to before it ends the module.
+      const nowhere = () => 8;
+      const wasi_snapshot_preview1 = { fd_close: nowhere, fd_seek: nowhere, fd_write: nowhere };
+      const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+      const bytes = await new Response(unpacked).arrayBuffer();
+      exports = (await WebAssembly.instantiate(bytes, { motus: { refuse }, wasi_snapshot_preview1 })).instance.exports;
       exports._initialize();
       return new Core(exports);
     }
@@ -184,7 +189,7 @@ const MotusFigures = (() => {
     const ten = 10 ** Math.floor(Math.log10(rough));
     const step = ten * [1, 2, 5, 10].find((one) => one * ten >= rough);
     const found = [];
-    for (let i = Math.ceil(least / step - 1e-9); i * step <= most + 1e-9 * step; ++i) found.push(i * step);
+    for (let i = Math.ceil(least / step - 1e-9); i * step <= most + 1e-9 * step; ++i) found.push(i * step + 0); // no -0
     return found;
   }
 
@@ -243,17 +248,17 @@ const MotusFigures = (() => {
       this.inputs = {};
       this.held = {};
       const label = element.querySelector("img")?.alt ?? "";
-      this.picture = svg("svg", { role: "group", "aria-label": label });
+      this.picture = svg("svg", { role: "group", "aria-label": label, width: "100%" });
       this.drawing = svg("g", {}, this.picture);
       this.handles = svg("g", {}, this.picture);
       this.told = html("output", { className: "told" });
       this.controls = html("div", { className: "controls" });
       for (const [name, control] of Object.entries(definition.controls ?? {})) this.controls.append(...this.control(name, control));
       this.controls.append(html("button", { type: "button", onclick: () => this.reset() }, say(["Reset", "Restablecer"])));
-      this.reset();
       element.replaceChildren(this.picture, this.told, this.controls);
       element.classList.add("moves");
-      new ResizeObserver(() => this.draw()).observe(element);
+      this.reset();
+      new ResizeObserver(() => this.draw()).observe(this.picture);
     }
 
     /** Elements of a slider, or of a choice between names. */
@@ -327,7 +332,7 @@ const MotusFigures = (() => {
     }
 
     draw() {
-      this.width = Math.round(this.element.clientWidth) || 640;
+      this.width = Math.max(Math.round(this.picture.getBoundingClientRect().width), 240); // none while it is hidden
       this.height = typeof this.definition.height === "function" ? this.definition.height(this.width) : this.definition.height;
       this.picture.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
       this.picture.setAttribute("height", this.height);
@@ -372,6 +377,6 @@ const MotusFigures = (() => {
     rows,
     figures,
     add: (name, definition) => (definitions[name] = definition),
-    module: (text) => (bytes = Uint8Array.from(atob(text), (one) => one.charCodeAt(0))),
+    module: (text) => (packed = Uint8Array.from(atob(text), (one) => one.charCodeAt(0))),
   };
 })();

@@ -1,4 +1,4 @@
-# WebAssembly without threads, for browsers: the C library is the one that zig has for WASI, of which the module asks the page for nothing.
+# WebAssembly without threads, for browsers, with the C library that zig has for WASI.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(MOTUS_ZIG_TARGET wasm32-wasi)
