@@ -1,6 +1,7 @@
 """Makes the generated parts of the manual: the pages of operators and of what is kept, and the pictures.
 
-`./motus docs` runs it inside Blender, `./motus docs operators` or `./motus docs kept` for a page alone.
+`./motus docs` runs it inside Blender, `./motus docs operators` or `./motus docs kept` for a page alone, and `./motus docs moving [NAME...]`
+for the moving pictures of the demo scenes, which take half an hour.
 
 What is seen in a window is made by `./motus docs steps`, also the insets in the pictures of the demo scenes: steps.py.
 """
@@ -21,6 +22,7 @@ import kept_page  # noqa: E402
 import lattice_pictures  # noqa: E402
 import layers_pictures  # noqa: E402
 import look_at_pictures  # noqa: E402
+import moving_pictures  # noqa: E402
 import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
 import pendulum_pictures  # noqa: E402
@@ -31,13 +33,17 @@ import support  # noqa: E402
 import walker_pictures  # noqa: E402
 
 support.enable()
+pictures = HERE / "pictures"
 chosen, pages = sys.argv[sys.argv.index("--") + 1 :], {"operators": operator_page, "kept": kept_page}
+if chosen[:1] == ["moving"]:
+    for picture in moving_pictures.render_all(pictures, chosen[1:]):
+        print(f"docs/pictures/{picture.name}")
+    sys.exit()
 for name in chosen or pages:
     (HERE / f"{name}.md").write_text(pages[name].text(), encoding="utf-8")
     print(f"docs/{name}.md")
 if chosen:
     sys.exit()
-pictures = HERE / "pictures"
 for render in (
     path_pictures.render_all,
     layers_pictures.render_all,
