@@ -77,7 +77,7 @@ def _unreached(context, owner, leg, first, last, reason, more):
     }[reason]()
     entry = owner.motus.walker.legs[leg]
     told = said.format(foot=legs.label(entry), first=frames[0], last=frames[1])
-    return told if more == 0 else tr("{sentence}, and {count} more footholds").format(sentence=told, count=more)
+    return told if more == 0 else tr("{sentence}, and {count} more problems").format(sentence=told, count=more)
 
 
 def _frame(number):

@@ -239,17 +239,18 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
     const double begin = trajectory_.way().times[trajectory_.first_sample(stretch)];
     Timing timing;
     std::vector<std::pair<double*, double>> set;
+    const auto is_here = [&](const std::optional<double>& moment) {
+        return moment && *moment >= begin && trajectory_.stretch_at(*moment) == stretch;
+    };
     const auto keep = [&](double& moment, double planned, double wanted) {
-        if (wanted >= begin && trajectory_.stretch_at(wanted) == stretch &&
-            timing.set(planned, cycles(wanted)))
-            set.emplace_back(&moment, wanted);
+        if (timing.set(planned, cycles(wanted))) set.emplace_back(&moment, wanted);
     };
     std::vector<char> is_left_out(falls.size(), 0);
     std::size_t free = 0;  // the footfalls before are taken by stands
     std::vector<ChosenStand> kept;
     for (ChosenStand stand : stands) {
         const ChosenStep& step = settings_.chosen[stand.chosen];
-        const bool touches = step.touch && stand.first > 0;
+        const bool touches = is_here(step.touch) && stand.first > 0, lifts = is_here(step.until);
         const std::size_t first = std::max(stand.first, free);
         if (first == falls.size() || (!touches && stand.end <= first)) continue;
         const double planned = falls[stand.first].planned;
@@ -257,7 +258,7 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
                                         &Footfall::touch_cycles)
                               : first;
         stand.end = std::max(stand.end, stand.first + 1);
-        if (step.until && stand.first + 1 < falls.size())
+        if (lifts && stand.first + 1 < falls.size())
             stand.end =
                 nearest(cycles(*step.until), stand.end, stand.first + 1, &Footfall::lift_cycles);
         for (std::size_t i = std::min(first, stand.first); i < stand.end; ++i)
@@ -265,7 +266,7 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
         Footfall& fall = falls[stand.first];
         fall.planned = planned;
         if (touches) keep(fall.touch, fall.touch_cycles, *step.touch);
-        if (step.until && stand.end < falls.size())
+        if (lifts && stand.end < falls.size())
             keep(falls[stand.end].lift, falls[stand.end].lift_cycles, *step.until);
         free = stand.end;
         kept.push_back(stand);

@@ -173,6 +173,7 @@ TEST_CASE("moments that cannot be are told, and left out", "[timed]") {
     };
     using Troubles = std::vector<Trouble>;
     CHECK(troubles({timed(step, -3.0, std::nullopt)}) == Troubles{Trouble::no_touch});
+    CHECK(std::ranges::equal(walking({timed(step, -3.0, std::nullopt)}).steps(leg), before, is_same));
     CHECK(troubles({timed(step, step.touch, step.touch - 0.1)}) == Troubles{Trouble::no_lift});
     CHECK(troubles({timed(before[0], 0.5, std::nullopt)}) == Troubles{Trouble::no_touch});
     CHECK(troubles({timed(before.back(), std::nullopt, 20.0)}) == Troubles{Trouble::no_lift});

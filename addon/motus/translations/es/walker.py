@@ -217,7 +217,7 @@ INTERFACE = {
     "The carrier is gone: choose another one": "El portador ya no está: elige otro",
     "Steps": "Pasos",
     "At Rest From": "En reposo desde",
-    "{sentence}, and {count} more footholds": "{sentence}, y {count} apoyos más",
+    "{sentence}, and {count} more problems": "{sentence}, y {count} problemas más",
     "{foot} finds no ground within reach on frames {first}-{last}": "{foot} no encuentra suelo a su alcance en los fotogramas {first}-{last}",
     "{foot} is too far from its leg on frames {first}-{last}": "{foot} está demasiado lejos de su pata en los fotogramas {first}-{last}",
     "The leg of {foot} has no length": "La pata de {foot} no tiene longitud",
