@@ -135,8 +135,13 @@ def remaining(name, plan):
 
 def _unmarked(name, plan):
     """The kept Work of a plan that differs from this one in nothing but its marks; None if there is none. name: of the cover's object."""
-    alike = (found for (whose, one), found in _done.items() if whose == name and one._replace(marks=None) == plan._replace(marks=None))
-    return next((found for found in alike if isinstance(found, Work)), None)
+    place = name, plan._replace(marks=None)
+    for (whose, one), found in _done.items():
+        other = whose, one._replace(marks=None)
+        # Parts of two plans can be compared if their hashes are equal: a rate may be a number or Rates.
+        if isinstance(found, Work) and hash(other) == hash(place) and other == place:
+            return found
+    return None
 
 
 def _refined(lain_on, resolution):
