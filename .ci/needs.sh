@@ -43,6 +43,7 @@ declare -A preset_needs=(
     [windows-x64]="g++-mingw-w64-x86-64-posix:x86_64-w64-mingw32-g++-posix wine64:/usr/lib/wine/wine64"
     [libcxx]="clang-19:clang++-19 libc++-19-dev:/usr/lib/llvm-19/include/c++/v1 libc++abi-19-dev:/usr/lib/llvm-19/lib/libc++abi.so"
     [threads]="clang:clang++ libclang-rt-dev:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.tsan-x86_64.a"
+    [wasm32]="${module_needs[*]}"
     [fuzz]="clang:clang++ libclang-rt-dev:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-x86_64.a"
 )
 

@@ -1,5 +1,6 @@
 """The platforms that Motus is packaged for, and what is fetched to build for them: platforms.py CACHE PLATFORM prints CMake's options, a line each.
 
+platforms.py CACHE wasm32 prints those of the module for browsers, which has the compiler and no Python.
 platforms.py CACHE windows-x64 PYTHON prints where the program of a Python such as 3.11 is, for wine to run.
 
 Compiler and Pythons come into folders of CACHE, which clones share. What they are, exactly, stands in platforms/*.txt with checksums; a folder is
@@ -18,6 +19,8 @@ import once
 PINS = Path(__file__).resolve().parent / "platforms"
 PYTHONS = ("3.11", "3.13")
 """Those of the official Blenders since 4.1."""
+BROWSERS = "wasm32"
+"""What the module for browsers is built for, which is not packaged."""
 
 
 class Platform(NamedTuple):
@@ -134,7 +137,7 @@ def program(python, cache, copied=_copied):
 
 def main(cache, name, python=""):
     """Returns the exit status."""
-    if name not in PLATFORMS:
+    if name != BROWSERS and name not in PLATFORMS:
         print(f"there is no platform {name}: there are {', '.join(PLATFORMS)}")
         return 2
     cache = Path(cache).resolve()
@@ -143,13 +146,15 @@ def main(cache, name, python=""):
         print(found or why_not)
         return 0 if found else 1
     compiler, why_not = tools(cache)
-    folders = None
-    if compiler:
+    folders = []
+    if compiler and name != BROWSERS:
         folders, why_not = pythons(PLATFORMS[name].system, cache)
-    if not folders:
+    if why_not:
         print(why_not)
         return 1
     print(f"-DMOTUS_ZIG={compiler}/ziglang/zig")
+    if name == BROWSERS:
+        return 0
     print(f"-DMOTUS_PYBIND11_INCLUDE={compiler}/pybind11/include")
     print(f"-DMOTUS_PYTHON_FOLDERS={';'.join(map(str, folders))}")
     return 0

@@ -4,9 +4,9 @@
 # Debian's packages beside build_needs: the client of Maven Central, and what pip is run by.
 platform_needs=(maven:mvn "${module_needs[@]}")
 
-# build_platform PLATFORM: builds its native modules. Exit status 77, with the reason, where what that needs cannot be had.
-build_platform() {
-    local given found launcher status=0
+# use_zig PLATFORM: sets `given`, CMake's options for that compiler. Exit status 77, with the reason, where what it needs cannot be had.
+use_zig() {
+    local found status=0
     found=$("$python" "$here/.ci/platforms.py" "$cache" "$1") || status=$?
     case $status in
         0) ;;
@@ -14,9 +14,15 @@ build_platform() {
         *) say "SKIPPED: $1: $found"; exit 77 ;;
     esac
     mapfile -t given <<<"$found"
-    use_ccache
     # What the compiler is called by is a script of this build; which compiler it is stands in there.
     export CCACHE_COMPILERCHECK=content ZIG_GLOBAL_CACHE_DIR=$cache/zig ZIG_LOCAL_CACHE_DIR=$build/zig
+}
+
+# build_platform PLATFORM: builds its native modules. Exit status 77, with the reason, where what that needs cannot be had.
+build_platform() {
+    local given launcher
+    use_zig "$1"
+    use_ccache
     configure "module-$1" "${given[@]}" "${launcher[@]}"
     logged "build-$1" ninja --quiet -j "$(nproc)" -C "$build/module-$1" motus_modules
     "$programs/python" "$here/.ci/check_modules.py" "$1" "$build/module-$1/python" 3.11 3.13

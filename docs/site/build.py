@@ -1,6 +1,6 @@
-"""Builds the manual's site, by Material for MkDocs: build.py COPIES SITE. `./motus docs site` runs it.
+"""Builds the manual's site, by Material for MkDocs: build.py MODULE COPIES SITE. `./motus docs site` runs it.
 
-A language is a site of its own, with its own search: English in the folder SITE itself, Spanish in its es/. Both are made from COPIES of the pages.
+MODULE is what figures compute with, motus.wasm; where it could not be built, their stills stay. A language is a site of its own, with its own search: English in the folder SITE itself, Spanish in its es/. Both are made from COPIES of the pages.
 """
 
 import json
@@ -13,6 +13,7 @@ from pathlib import Path
 from PIL import Image
 
 import content
+import figure_files
 import search_words
 
 HERE = Path(__file__).resolve().parent
@@ -65,6 +66,7 @@ def configuration(language, pages, folder, site):
         "site_dir": str(site / prefix),
         "theme": {"language": language, "custom_dir": str(HERE / "theme")},
         "plugins": [{"search": {"lang": language, "pipeline": ["stopWordFilter", "trimmer"]}}, "offline"],
+        "extra_javascript": ["motus/films.js", content.relative(f"{prefix}index.html", "figures/figures.js")],
         "extra": {
             "alternate": both,
             "other": {
@@ -93,7 +95,7 @@ def write_pictures(site):
             picture.save(target, quality=82, method=4)
 
 
-def main(work, site):
+def main(module, work, site):
     """Builds the site anew."""
     environment = {**os.environ, "NO_MKDOCS_2_WARNING": "1"}
     pages = content.pages(ROOT)
@@ -111,9 +113,7 @@ def main(work, site):
         for name in ("404.html", "sitemap.xml", "sitemap.xml.gz"):  # they name places from the root of a server
             (site / folder_of(language) / name).unlink(missing_ok=True)
     write_pictures(site)
-    figures = HERE / "figures"
-    if figures.exists():
-        shutil.copytree(figures, site / "figures")
+    figure_files.copy(module, site / "figures")
     print(site / "index.html")
 
 
