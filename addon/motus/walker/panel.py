@@ -5,9 +5,8 @@ import math
 from ..core.declare import Problem, is_owner, leader_of
 from ..core.interface import panels, ui
 from ..core.interface.tracks import panel as track_panel
-from ..core.measures import scene_time
-from ..core.translations import tr
 from ..core.refusals import Refused
+from ..core.translations import tr
 from . import legs, pace, plan, presets, rows, told
 from .setup import system
 from .steps import chart, chosen

@@ -151,7 +151,8 @@ INTERFACE = {
     "Set Touchdown": "Fijar cuándo toca el suelo",
     "Have the foot touch the ground on the frame Touchdown; its steps before and after make room": "Que el pie toque el suelo en el fotograma Toca el suelo; sus pasos anteriores y posteriores le hacen sitio",
     "Touchdown": "Toca el suelo",
-    "Frame on which the foot touches the ground, if it is set" + _NO_KEYS: "Fotograma en que el pie toca el suelo, si se fija" + _NO_KEYS_ES,
+    "Frame on which the foot touches the ground, if it is set" + _NO_KEYS: "Fotograma en que el pie toca el suelo, si se fija"
+    + _NO_KEYS_ES,
     "Frame on which the foot touches the ground": "Fotograma en que el pie toca el suelo",
     "Set Lift-Off": "Fijar cuándo se levanta",
     "Have the foot stand until the frame Lift-Off; its steps before and after make room": "Que el pie apoye hasta el fotograma Se levanta; sus pasos anteriores y posteriores le hacen sitio",
