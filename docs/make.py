@@ -1,6 +1,7 @@
 """Makes the generated parts of the manual: the pages of operators and of what is kept, the table of all settings, and the pictures.
 
-`./motus docs` runs it inside Blender, `./motus docs operators`, `./motus docs kept` or `./motus docs settings` for one of them alone.
+`./motus docs` runs it inside Blender, `./motus docs operators`, `./motus docs kept` or `./motus docs settings` for one of them alone, and
+`./motus docs moving [NAME...]` for the moving pictures of the demo scenes, which take half an hour.
 
 What is seen in a window is made by `./motus docs steps`, also the insets in the pictures of the demo scenes: steps.py.
 """
@@ -21,6 +22,7 @@ import kept_page  # noqa: E402
 import lattice_pictures  # noqa: E402
 import layers_pictures  # noqa: E402
 import look_at_pictures  # noqa: E402
+import moving_pictures  # noqa: E402
 import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
 import pendulum_pictures  # noqa: E402
@@ -32,14 +34,18 @@ import support  # noqa: E402
 import walker_pictures  # noqa: E402
 
 support.enable()
+pictures = HERE / "pictures"
 chosen = sys.argv[sys.argv.index("--") + 1 :]
+if chosen[:1] == ["moving"]:
+    for picture in moving_pictures.render_all(pictures, chosen[1:]):
+        print(f"docs/pictures/{picture.name}")
+    sys.exit()
 pages = {"operators": ("operators.md", operator_page), "kept": ("kept.md", kept_page), "settings": ("settings.json", settings_page)}
 for file, page in (pages[name] for name in chosen or pages):
     (HERE / file).write_text(page.text(), encoding="utf-8")
     print(f"docs/{file}")
 if chosen:
     sys.exit()
-pictures = HERE / "pictures"
 for render in (
     path_pictures.render_all,
     layers_pictures.render_all,

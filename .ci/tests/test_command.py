@@ -145,6 +145,7 @@ class Command(unittest.TestCase):
             ("clean", "all"),
             ("docs", "y"),
             ("docs", "steps", "y"),
+            ("docs", "moving", "y"),
             ("bench", "--blenders"),
         ):
             with self.subTest(arguments=arguments):

@@ -31,9 +31,14 @@ SYSTEMS = (
 )
 
 
+def spanish_pages():
+    """Pages in Spanish, each named after the English one."""
+    return sorted((DOCS / "es").glob("*.md"))
+
+
 def pages():
     """Files of the manual."""
-    return [*sorted(DOCS.glob("*.md")), *sorted((DOCS / "cpp").glob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
+    return [*sorted(DOCS.glob("*.md")), *sorted((DOCS / "cpp").glob("*.md")), *spanish_pages(), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
 
 
 def without_code(text):

@@ -123,6 +123,7 @@ class Zips(Temporary):
             manifest = tomllib.loads(archive.read("motus/blender_manifest.toml").decode())
             self.assertIn("bl_info = {", archive.read("motus/__init__.py").decode())
         self.assertEqual(manifest["platforms"], ["windows-x64"])
+        self.assertLessEqual({"motus/manual/en/path.html", "motus/manual/en/operators.html", "motus/manual/style.css"}, set(names))
         natives = sorted(name for name in names if name.startswith("motus/motus_native"))
         self.assertEqual(
             natives, ["motus/motus_native.cp311-win_amd64.pyd", "motus/motus_native.cp313-win_amd64.pyd", "motus/motus_native.pyi"]

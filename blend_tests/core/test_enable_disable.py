@@ -77,6 +77,7 @@ def everything():
         "operators": operators(),
         "menus": menu_draw_functions(),
         "driver functions": driver_functions(),
+        "manual maps": len(list(bpy.utils.manual_map())),
     }
 
 

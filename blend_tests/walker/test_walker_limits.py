@@ -21,7 +21,7 @@ class NoGround(cases.WalkerTestCase):
         land = cases.grid("Land", lambda x, y: np.where(y > 1.0, -5.0, 0.0))
         spider = cases.spider(ground=land.name)
         said = self.sentence(spider)
-        self.assertRegex(said, r"^foot .* finds no ground within reach on frames \d+-\d+, and \d+ more footholds$")
+        self.assertRegex(said, r"^foot .* finds no ground within reach on frames \d+-\d+, and \d+ more problems$")
         self.assertTrue(np.isfinite(cases.over((1, 60, 120), lambda: cases.places(spider))).all())
 
     def test_faces_are_missing(self):

@@ -133,7 +133,7 @@ class Steps(cases.WalkerTestCase):
             bpy.context.view_layer.update()
         moved, locked = made.call_args.kwargs["chosen"]
         self.assertEqual(
-            moved, (cases.foot_bones(spider).index(FOOT), cases.seconds(entries[0].frame), tuple(entries[0].offset), 0.5, None)
+            moved, (cases.foot_bones(spider).index(FOOT), cases.seconds(entries[0].frame), tuple(entries[0].offset), 0.5, None, None, None)
         )
         self.assertEqual(locked[4], (tuple(entries[1].place), tuple(entries[1].rotation)))
         self.assertEqual(locked[2], (0.0, 0.0, 0.0))

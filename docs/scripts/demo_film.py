@@ -8,6 +8,7 @@ Films are made by EEVEE, which is free of noise at the few samples a frame can h
 Blender can denoise what Cycles makes.
 """
 
+import contextlib
 import shutil
 import sys
 import tempfile
@@ -94,7 +95,19 @@ def _frame_at(scene, seconds):
     return scene.frame_start + round(seconds * scene.render.fps / scene.render.fps_base)
 
 
-def _set_size(scene, width):
+@contextlib.contextmanager
+def _frames(scene, first, last, step=1):
+    """Have the scene consist of these frames alone for a while."""
+    kept = scene.frame_start, scene.frame_end, scene.frame_step
+    scene.frame_start, scene.frame_end, scene.frame_step = first, last, step
+    try:
+        yield
+    finally:
+        scene.frame_start, scene.frame_end, scene.frame_step = kept
+
+
+def set_size(scene, width):
+    """Let pictures of the scene be so many pixels wide, and 16 to 9."""
     scene.render.resolution_x, scene.render.resolution_y = width, width * 9 // 16
     scene.render.resolution_percentage = 100
 
@@ -108,8 +121,8 @@ def render_still(shot, scene, folder, quality, progress, width):
     is_panorama = bool(shot.scene.stereo) and shot.scene.stereo[shot.still] == "VR180"
     if not _use_cycles(scene, quality, shot.end - began, at_any_price=is_panorama):
         _use_eevee(shot.scene, scene, quality.still_samples, reflections=True)
-    _set_size(scene, width)
-    _set_format(scene, "PNG")
+    set_size(scene, width)
+    set_format(scene, "PNG")
     camera, moment = shot.scene.stills[shot.still]
     file = folder / f"{shot.scene.name}_{shot.still + 1:02d}.png"
     cuts = _suspend_cuts(scene)
@@ -145,15 +158,11 @@ def _set_stereo(shot, scene):
 
 def _render_combined(scene, frame, file):
     """Render both eyes at a frame, and write the least-squares anaglyph of them."""
-    span = scene.frame_start, scene.frame_end
     with tempfile.TemporaryDirectory() as folder:
         scene.render.filepath = str(Path(folder, "eyes_"))
-        scene.frame_start = scene.frame_end = frame
-        try:
+        with _frames(scene, frame, frame):
             bpy.ops.render.render(animation=True)
             bpy.ops.motus.stereo_combine(object=scene.camera.name, frame_start=frame, frame_end=frame)
-        finally:
-            scene.frame_start, scene.frame_end = span
         shutil.move(next(Path(folder).glob("*_anaglyph.png")), file)
 
 
@@ -208,9 +217,8 @@ def render_film(shot, scene, folder, quality, progress):
     """
     demo = shot.scene
     _use_eevee(demo, scene, quality.film_samples, reflections=False)
-    _set_size(scene, quality.film_width)
-    whole_lap = scene.frame_start, scene.frame_end
-    first, last = whole_lap if shot.end == demo_plan.NEVER else (_frame_at(scene, moment) for moment in demo.film)
+    set_size(scene, quality.film_width)
+    first, last = (scene.frame_start, scene.frame_end) if shot.end == demo_plan.NEVER else (_frame_at(scene, moment) for moment in demo.film)
     cost = _frame_cost(scene, last, progress)
     # The end is the best of it: a shorter film starts later.
     longest = min(last - first + 1, quality.film_frames)
@@ -218,16 +226,11 @@ def render_film(shot, scene, folder, quality, progress):
     cost *= samples / quality.film_samples
     scene.eevee.taa_render_samples = samples
     progress.say(f"{demo.name}: film of {frames} frames, {samples} samples, {cost:.1f} s each: {frames * cost / 60.0:.1f} minutes")
-    scene.frame_start, scene.frame_end = last - frames + 1, last
     film = _set_film_output(demo, scene, folder)
     _set_stereo(shot, scene)
     report = _frame_reporter(progress, frames)
-    bpy.app.handlers.render_write.append(report)
-    try:
-        bpy.ops.render.render(animation=True)
-    finally:
-        bpy.app.handlers.render_write.remove(report)
-        scene.frame_start, scene.frame_end = whole_lap
+    with _frames(scene, last - frames + 1, last):
+        _render_animation("render_write", report)
     of_both_eyes = film.with_name(f"{film.stem}_L{film.suffix}")
     if demo.stereo and of_both_eyes.exists():  # Blender calls it after the left one
         of_both_eyes.replace(film)
@@ -237,23 +240,39 @@ def render_film(shot, scene, folder, quality, progress):
 
 def _frame_cost(scene, last, progress):
     """Seconds that a frame of the film takes, seen in the last three; the first of them compiles shaders as well."""
-    whole_lap = scene.frame_start, scene.frame_end
-    scene.frame_start, scene.frame_end = last - 2, last
     times = []
 
     def note(*_arguments):
         times.append(progress.seconds())
 
-    bpy.app.handlers.render_post.append(note)
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            _set_format(scene, "PNG")
-            scene.render.filepath = str(Path(folder, "frame_"))
-            bpy.ops.render.render(animation=True)
-    finally:
-        bpy.app.handlers.render_post.remove(note)
-        scene.frame_start, scene.frame_end = whole_lap
+    with tempfile.TemporaryDirectory() as folder, _frames(scene, last - 2, last):
+        set_format(scene, "PNG")
+        scene.render.filepath = str(Path(folder, "frame_"))
+        _render_animation("render_post", note)
     return max((times[-1] - times[0]) / 2.0, 1e-3)
+
+
+def _render_animation(event, handler):
+    """Render the scene's frames; the handler is called at each event of this name."""
+    handlers = getattr(bpy.app.handlers, event)
+    handlers.append(handler)
+    try:
+        bpy.ops.render.render(animation=True)
+    finally:
+        handlers.remove(handler)
+
+
+def render_loop(demo, scene, folder, width, samples, step, progress):
+    """Write every `step`-th frame of the scene's loop into a folder as numbered pictures; returns these in their order."""
+    first, last = (_frame_at(scene, moment) for moment in demo.loop)
+    _use_eevee(demo, scene, samples, reflections=False)
+    set_size(scene, width)
+    set_format(scene, "PNG")
+    _set_stereo(demo_plan.Shot(demo, demo_plan.FILM, demo_plan.NEVER), scene)
+    scene.render.filepath = str(folder / "frame_")
+    with _frames(scene, first, last - 1, step):  # the frame at the end of a lap is the first one again
+        _render_animation("render_write", _frame_reporter(progress, len(range(first, last, step))))
+    return sorted(folder.glob("*.png"))
 
 
 def _use_eevee(demo, scene, samples, reflections):
@@ -276,10 +295,10 @@ def _use_eevee(demo, scene, samples, reflections):
 def _set_film_output(demo, scene, folder):
     """Write H.264 where this Blender has the encoder, numbered pictures where not; returns the path."""
     if not bpy.app.build_options.codec_ffmpeg:
-        _set_format(scene, "PNG")
+        set_format(scene, "PNG")
         scene.render.filepath = str(folder / demo.name / f"{demo.name}_")
         return folder / demo.name
-    _set_format(scene, "FFMPEG")
+    set_format(scene, "FFMPEG")
     settings = scene.render.ffmpeg
     settings.format, settings.codec = "MPEG4", "H264"
     settings.constant_rate_factor, settings.ffmpeg_preset = "HIGH", "GOOD"
@@ -288,7 +307,8 @@ def _set_film_output(demo, scene, folder):
     return folder / f"{demo.name}.mp4"
 
 
-def _set_format(scene, file_format):
+def set_format(scene, file_format):
+    """Let the scene be rendered into files of this format, "FFMPEG" for a film."""
     settings = scene.render.image_settings
     if hasattr(settings, "media_type"):
         settings.media_type = "VIDEO" if file_format == "FFMPEG" else "IMAGE"

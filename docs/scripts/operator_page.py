@@ -2,7 +2,7 @@
 
 import bpy
 
-INTERNAL = {"motus.copy_text", "motus.hide_first_steps", "motus.pull_adjust"}
+INTERNAL = {"motus.copy_text", "motus.hide_first_steps", "motus.manual", "motus.pull_adjust"}
 
 HEADER = """# Operators
 

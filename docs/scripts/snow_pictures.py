@@ -23,6 +23,7 @@ def render_all(folder):
         _render_emitters(folder / "snow_emitters.png"),
         _render_motion(folder / "snow_motion.png"),
         _render_cover(folder / "snow_cover.png"),
+        _render_marks(folder / "snow_marks.png"),
     ]
 
 
@@ -148,6 +149,89 @@ def _render_cover(file):
         stage.add_text(f"{seconds:g} s", Vector((x, -3.7, -0.75)), 0.4, LABEL)
     stage.add_camera(scene, (0.0, -19.0, 8.5), (0.0, 0.0, 0.95), width=22.5)
     return stage.render(scene, file, (1280, 440), samples=64)
+
+
+def _render_marks(file):
+    """The way of a ball on which snow has fallen since, the road of a plough, and the steps of a walker."""
+    scene = _scene()
+    ground = stage.glossy_material("Road", (0.05, 0.045, 0.04, 1.0), 0.9)
+    thing = stage.glossy_material("Thing", (0.45, 0.08, 0.05, 1.0), 0.4)
+    for column, (label, add, packed) in enumerate(
+        (("a ball, and later snow", _roll, 0.02), ("a plough", _plough, 0.0), ("feet", _walk, 0.03))
+    ):
+        x = (column - 1) * 7.2
+        bpy.ops.mesh.primitive_plane_add(size=6.4, location=(x, 0.0, 0.0))
+        meadow = bpy.context.object
+        meadow.data.materials.append(ground)
+        movers = add(x, thing)
+        bpy.ops.motus.snow_add(
+            preset='GENTLE',
+            location=(x, 0.0, 6.0),
+            rate=2000.0,
+            emitter_radius=3.4,
+            lifetime=8.0,
+            seed=column,
+            start_frame=-380.0,
+            preview=4.0,
+        )
+        emitter = bpy.context.object
+        emitter.motus.snow.influence = 0.0
+        bpy.ops.motus.snow_cover_add(
+            surfaces=meadow.name,
+            emitters=emitter.name,
+            movers=",".join(one.name for one in movers),
+            lump=0.1,
+            resolution=0.05,
+            smoothing=0.3,
+            packed=packed,
+        )
+        stage.add_text(label, Vector((x, -3.9, -0.6)), 0.42, LABEL)
+    scene.frame_set(1)
+    stage.add_camera(scene, (0.0, -17.0, 11.0), (0.0, 0.0, -0.1), width=22.5)
+    return stage.render(scene, file, (1280, 440), samples=64)
+
+
+def _roll(x, material):
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=0.6, segments=64, ring_count=32)
+    ball = bpy.context.object
+    ball.data.materials.append(material)
+    for frame, place in ((-200, (x - 3.2, -2.0, 0.62)), (-160, (x - 0.4, 0.2, 0.62)), (-110, (x + 1.9, 1.5, 0.62))):
+        ball.location = place
+        ball.keyframe_insert("location", frame=frame)
+    return [ball]
+
+
+def _plough(x, material):
+    bpy.ops.mesh.primitive_cube_add(size=1.0)
+    plough = bpy.context.object
+    plough.scale, plough.rotation_euler.z = (0.12, 1.5, 0.5), math.radians(25.0)
+    plough.data.materials.append(material)
+    for frame, place in ((-40, (x - 4.0, -1.2, 0.25)), (0, (x + 1.6, 0.9, 0.25))):
+        plough.location = place
+        plough.keyframe_insert("location", frame=frame)
+    return [plough]
+
+
+def _walk(x, material):
+    """Two feet under a body that walks; returns their soles."""
+    body = stage.link(bpy.data.objects.new("Body", None))
+    soles = []
+    for side in (-1.0, 1.0):
+        foot = stage.link(bpy.data.objects.new("Foot", None))
+        foot.location = x + 0.28 * side, 0.0, 0.0
+        bpy.ops.mesh.primitive_uv_sphere_add(radius=0.5, segments=32, ring_count=16, location=(0.0, 0.0, 0.12))
+        sole = bpy.context.object
+        sole.scale = 0.32, 0.62, 0.22
+        sole.data.materials.append(material)
+        sole.parent = foot
+        soles.append(sole)
+    body.location = x, 0.0, 0.0
+    bpy.context.view_layer.update()
+    bpy.ops.motus.walker_add(object=body.name, feet=",".join(sole.parent.name for sole in soles), stride=1.3, use_plane=True)
+    for frame, place in ((-120, (x - 0.6, -2.9, 0.0)), (-50, (x, 0.0, 0.0)), (0, (x + 0.7, 2.2, 0.0))):
+        body.location = place
+        body.keyframe_insert("location", frame=frame)
+    return soles
 
 
 def _yard(x, roof, wood, needles, grass):

@@ -14,6 +14,7 @@ from PIL import Image
 
 import content
 import figure_files
+import search_words
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -28,11 +29,12 @@ def folder_of(language):
 
 
 def head(address):
-    """What MkDocs is told of a page: its counterpart in the other language, and how far up search lists it."""
+    """What MkDocs is told of a page: its counterpart in the other language, how far up search lists it, and by which words it finds it."""
     prefix = "es/" if address.startswith("es/") else ""
     other = content.counterpart(ROOT, address)
     lines = [f"other: {content.relative(prefix + 'index.html', other)}"] if other else []
-    return "\n".join(("---", *lines, f"search: {{boost: {content.boost(address)}}}", "---", "", ""))
+    lines += [f"search: {{boost: {content.boost(address)}}}", f"tags: {json.dumps(search_words.words(address))}"]
+    return "\n".join(("---", *lines, "---", "", ""))
 
 
 def write_pages(pages, language, folder):
@@ -63,7 +65,7 @@ def configuration(language, pages, folder, site):
         "docs_dir": str(folder),
         "site_dir": str(site / prefix),
         "theme": {"language": language, "custom_dir": str(HERE / "theme")},
-        "plugins": [{"search": {"lang": language, "pipeline": ["stemmer", "stopWordFilter", "trimmer"]}}, "offline"],
+        "plugins": [{"search": {"lang": language, "pipeline": ["stopWordFilter", "trimmer"]}}, "offline"],
         "extra_javascript": ["motus/films.js", content.relative(f"{prefix}index.html", "figures/figures.js")],
         "extra": {
             "alternate": both,

@@ -77,6 +77,9 @@ ADDRESSES = {
 CARDS = re.compile(r"^(?:\|[^\n]*\n)*\|[^\n]*pictures/demo_[^\n]*\n(?:\|[^\n]*\n)*", re.MULTILINE)
 """A table of pictures of demo scenes."""
 
+KEYWORDS = re.compile(r"^\| keyword \|[^\n]*\n(?:\|[^\n]*\n?)+", re.MULTILINE)
+"""A table of an operator's keywords."""
+
 
 @dataclass
 class Source:
@@ -171,6 +174,7 @@ def _page(root, source, known, groups):
     """A page's Markdown."""
     text = markdown_text.with_anchors(source.text, source.ids.values())
     text = CARDS.sub(lambda table: f'<div class="motus-cards" markdown>\n\n{table[0]}\n</div>\n', text)
+    text = KEYWORDS.sub(lambda table: f'<div class="motus-rows" markdown>\n\n{table[0]}\n</div>\n', text)
     text = markdown_text.with_links(
         text,
         lambda words, target: _link(source, known, words, target),

@@ -42,7 +42,9 @@ def section(groups, language):
     words = WORDS[language]
     parts = [f"\n## {words['title']} {{#every-setting}}\n"]
     for group in groups:
-        parts.append(f"\n### {_word(group, 'title', language)} {{#{group['struct'].lower()}}}\n\n<div class=\"motus-settings\" markdown>\n")
+        parts.append(
+            f"\n### {_word(group, 'title', language)} {{#{group['struct'].lower()}}}\n\n<div class=\"motus-rows motus-settings\" markdown>\n"
+        )
         parts.append(f"| {' | '.join(words['head'])} |\n|---|---|---|")
         parts += [_row(group, setting, language, words["default"]) for setting in group["settings"]]
         parts.append("\n</div>\n")

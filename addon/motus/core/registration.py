@@ -6,7 +6,7 @@ from . import bake, declare, keeping, settings, translations, wiring
 from .blender import handlers
 from .evaluated import read_keys, shares
 from .file import deleted
-from .interface import menus, overlay, panels, ui
+from .interface import manual, menus, overlay, panels, ui
 from .interface.any_system import baking, copying, refreshing
 from .interface.assets import dragging as asset_dragging, giving, making, shelf
 from .interface.tracks import operators as track_operators, panel as track_panel
@@ -57,6 +57,7 @@ def _register(systems, languages, extra_classes, extra_add_menu):
         + giving.classes
         + asset_dragging.classes
         + menus.classes
+        + manual.classes
         + extra_classes
     )
     _register_settings(systems)
@@ -70,6 +71,7 @@ def _register(systems, languages, extra_classes, extra_add_menu):
     _call(overlay.register, overlay.unregister)
     _call(lambda: None, playback.unregister)  # drawing a read-out adds the handler
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
+    _call(manual.register, manual.unregister)
     _call(shelf.register, shelf.unregister)
     _call(lambda: panels.menus_of_scenes.extend(extra_add_menu), panels.menus_of_scenes.clear)
     _call(lambda: translations.register(languages), translations.unregister)

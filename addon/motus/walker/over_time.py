@@ -16,6 +16,7 @@ from ..core.tracks import rotations
 from ..core.tracks.in_world import World
 from ..core.tracks.solved import placed
 from . import carrier, keyed, leaning, legs, plan, soles
+from .steps import stored
 
 CYCLES = 2.0
 """Number of cycles of all legs, at the slowest cadence, in which all feet come to rest after the body has stopped."""
@@ -88,7 +89,7 @@ class _OverTime:
         moving, settings = self._way.extent, self._owner.motus.walker
         if moving is not None:
             rest = CYCLES / max(SLOWEST, self._cadence(moving[1])) + FADES / max(SLOWEST, settings.frequency)
-            moving = moving[0], moving[1] + rest * self._fps
+            moving = moving[0], max(moving[1], stored.last_moment(settings)) + rest * self._fps
         return united([moving, self._influence.extent])
 
     def _cadence(self, frame):

@@ -88,6 +88,7 @@ overlay = Overlay(
     _batches,
     (
         Switch("show_walker_footholds", "Footholds", "Draw where feet stand, and how they come there, around the present frame"),
+        Switch("show_walker_times", "Step Times", "Draw a chart of when the feet of the active walker stand; the ends of its bars are dragged", False),
         Switch("show_walker_rests", "Rest Positions", "Draw the rest position of each foot below the body", False),
     ),
 )

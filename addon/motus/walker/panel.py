@@ -1,12 +1,16 @@
 """Panel of a walker, in the sidebar and in the object's constraint properties; shown for the walker, its body and its foot objects."""
 
+import math
+
 from ..core.declare import Problem, is_owner, leader_of
 from ..core.interface import panels, ui
 from ..core.interface.tracks import panel as track_panel
 from ..core.measures import scene_time
 from ..core.translations import tr
+from ..core.refusals import Refused
 from . import legs, pace, plan, presets, rows, told
 from .setup import system
+from .steps import chart, chosen
 
 MOST_SHOWN = 16
 """Most legs that the panel lists."""
@@ -79,11 +83,40 @@ def draw_legs(layout, context):
     layout.operator("motus.walker_rest", icon='CON_FLOOR').object = owner.name
 
 
+def _changed(context, owner):
+    """As chosen.changed(); {} if there is no plan."""
+    try:
+        return chosen.changed(context, owner) if owner.motus.walker.steps else {}
+    except Refused:
+        return {}
+
+
+def _draw_moments(row, context, owner, index, planned):
+    """Draw when a changed step touches down and lifts: the frames that are set, and buttons that set the others where they are planned.
+
+    planned: the chosen.Step of the entry of this index, or None.
+    """
+    step = owner.motus.walker.steps[index]
+    for name in chart.MOMENTS:
+        part = row.row(align=True)
+        if getattr(step, f"use_{name}"):
+            part.prop(step, name)
+            part.prop(step, f"use_{name}", text="", icon='X', toggle=True)
+            continue
+        seconds = getattr(planned, name, math.inf)
+        part.enabled = math.isfinite(seconds)
+        button = part.operator("motus.walker_step_time", text=step.bl_rna.properties[name].name, icon='KEYFRAME')
+        button.object, button.index = owner.name, index
+        if part.enabled:
+            setattr(button, name, round(told.shown(context.scene, seconds)))
+
+
 def draw_steps(layout, context):
     """Draw the steps that were changed by hand, each with its foot, frame and lock, and the button that changes further ones."""
     owner = _walker(context)
     settings = owner.motus.walker
     column = layout.column(align=True)
+    changed = _changed(context, owner)
     for index, step in enumerate(settings.steps[:MOST_SHOWN]):
         label = legs.label(settings.legs[step.leg]) if step.leg < len(settings.legs) else ""
         row = column.row(align=True)
@@ -92,12 +125,13 @@ def draw_steps(layout, context):
         if settings.use_soles:
             row.prop(step, "turn", text="")
         lock = row.operator("motus.walker_step", text="", icon='LOCKED' if step.is_locked else 'UNLOCKED')
-        lock.object, lock.foot, lock.lock = owner.name, label, not step.is_locked
-        lock.frame = told.shown(context.scene, scene_time.seconds(context.scene, step.frame))
+        lock.object, lock.index, lock.lock = owner.name, index, not step.is_locked
         again = row.operator("motus.walker_step_remove", text="", icon='X')
         again.object, again.index = owner.name, index
+        _draw_moments(column.row(align=True), context, owner, index, changed.get(index))
     if len(settings.steps) > MOST_SHOWN:
         column.label(text=tr("and {count} more").format(count=len(settings.steps) - MOST_SHOWN), translate=False)
+    layout.prop(context.scene.motus, "show_walker_times")
     layout.operator("motus.walker_step", icon='VIEW_PAN').object = owner.name
     layout.operator("motus.walker_prints", icon='ADD').object = owner.name
 

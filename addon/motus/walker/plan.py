@@ -148,14 +148,14 @@ class Plan(NamedTuple):
 
     walker: the native Walker. fault: the Problem to show, which does not keep the owner from walking, or None.
     known: (first, last) frame for which the walk is planned, see Poses. stamp: hashable value that changes with all that the plan
-    was made from. has_problems: whether walker.problems lists any footholds that cannot be reached. turns: see Numbers.
+    was made from. troubles: the set of all reasons in walker.problems. turns: see Numbers.
     """
 
     walker: Any
     fault: Any
     known: tuple
     stamp: Any
-    has_problems: bool
+    troubles: Any
     turns: tuple
 
 
@@ -191,8 +191,8 @@ def of(owner, scene, numbers, frame=None):
     made = _kept(owner, stamp, lambda: tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, values, poses, placed, bodies, fps)))
     if isinstance(made, Problem):
         return made
-    walker, has_problems = made
-    found = Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems, numbers.turns)
+    walker, troubles = made
+    found = Plan(walker, fault or unsure or beyond, poses.known, stamp, troubles, numbers.turns)
     return found if carrier.of(owner.motus.walker) is None else _carried(found, owner, scene, is_standing)
 
 
@@ -397,7 +397,7 @@ def _sampled(track, first, last, fps):
 
 
 def _made(numbers, values, poses, placed, bodies, fps):
-    """Make (the native Walker, whether some of its footholds cannot be reached); returns a Problem if the settings are refused.
+    """Make (the native Walker, the reasons in its problems); returns a Problem if the settings are refused.
 
     values: {name: values (k,)} of keyed settings at the samples. poses: Poses of the body. placed: ground meshes, tuple of meshes.Placed.
     bodies: matrices (k, 4, 4) of the body bone, or None.
@@ -430,7 +430,7 @@ def _made(numbers, values, poses, placed, bodies, fps):
         )
     except ValueError as error:
         return _refusal(str(error))
-    return walker, bool(walker.problems)
+    return walker, frozenset(reason for *_, reason in walker.problems)
 
 
 def _refusal(sentence):

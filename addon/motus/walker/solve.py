@@ -17,8 +17,12 @@ LOOPED = Problem("The body or the ground moves with what the walker drives: what
 LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)
 BODILESS = Problem("The body that rises and leans is gone, or hangs on something else: choose it anew", blocking=False)
 UNREACHED = Problem("Some feet do not reach the ground at their footholds", blocking=False)
+UNTIMED = Problem("Some steps cannot be when they are set", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
-PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, BONES_CHANGED)
+PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, UNTIMED, BONES_CHANGED)
+
+MISTIMED = {"no_touch", "no_lift"}
+"""Reasons of walker.problems that tell of times, not of places."""
 
 INPUTS = (Geometries("awaited", of=ground.objects),)
 
@@ -78,7 +82,9 @@ def _fault(found, noted):
         return BODILESS
     if found.fault:
         return found.fault
-    return UNREACHED if found.has_problems else None
+    if not found.troubles:
+        return None
+    return UNTIMED if found.troubles <= MISTIMED else UNREACHED
 
 
 def _stand(context, places, noted):

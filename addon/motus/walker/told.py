@@ -31,7 +31,7 @@ def _evaluated(context, owner):
 
 def sentence(context, owner, problem):
     """Return the sentence about a Problem of a walker, in the user's language. owner: original object that walks."""
-    if problem == solve.UNREACHED:
+    if problem in {solve.UNREACHED, solve.UNTIMED}:
         planned = found(context, owner)
         troubles = [] if isinstance(planned, Problem) else planned.walker.problems
         if troubles:
@@ -72,10 +72,12 @@ def _unreached(context, owner, leg, first, last, reason, more):
         "no_ground": lambda: tr("{foot} finds no ground within reach on frames {first}-{last}"),
         "out_of_reach": lambda: tr("{foot} is too far from its leg on frames {first}-{last}"),
         "no_length": lambda: tr("The leg of {foot} has no length"),
+        "no_touch": lambda: tr("{foot} cannot touch down on frame {first}: its steps before leave no room"),
+        "no_lift": lambda: tr("{foot} cannot lift on frame {first}: its step has no room, or is the last one"),
     }[reason]()
     entry = owner.motus.walker.legs[leg]
     told = said.format(foot=legs.label(entry), first=frames[0], last=frames[1])
-    return told if more == 0 else tr("{sentence}, and {count} more footholds").format(sentence=told, count=more)
+    return told if more == 0 else tr("{sentence}, and {count} more problems").format(sentence=told, count=more)
 
 
 def _frame(number):

@@ -16,6 +16,7 @@
 #include "motus/noise/noise.hpp"
 #include "motus/snow/cover.hpp"
 #include "motus/snow/layer.hpp"
+#include "motus/snow/marks.hpp"
 #include "motus/snow/snow.hpp"
 #include "stopwatch.hpp"
 #include "table.hpp"
@@ -221,6 +222,56 @@ void measure_layers() {
                   refined.triangles);
 }
 
+/// What a ball of 0.5 m that rolls for 10 s leaves in a layer of 160 801 vertices, 0.05 m apart.
+void measure_marks() {
+    constexpr int cells = 400, around = 48, down = 24;
+    std::vector<glm::vec3> positions, points;
+    std::vector<glm::ivec3> triangles, faces;
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            positions.emplace_back(0.05F * static_cast<float>(column) - 10.0F,
+                                   0.05F * static_cast<float>(row) - 10.0F, 0.0F);
+            if (row == cells || column == cells) continue;
+            const int corner = row * (cells + 1) + column;
+            triangles.emplace_back(corner, corner + 1, corner + cells + 2);
+            triangles.emplace_back(corner, corner + cells + 2, corner + cells + 1);
+        }
+    }
+    for (int row = 0; row <= down; ++row) {
+        for (int column = 0; column < around; ++column) {
+            const double polar = std::numbers::pi * row / down,
+                         turn = 2.0 * std::numbers::pi * column / around;
+            points.emplace_back(0.5 * std::sin(polar) * std::cos(turn),
+                                0.5 * std::sin(polar) * std::sin(turn), 0.5 * std::cos(polar));
+            if (row == down) continue;
+            const int next = (column + 1) % around, at = row * around;
+            faces.emplace_back(at + column, at + around + column, at + around + next);
+            faces.emplace_back(at + column, at + around + next, at + next);
+        }
+    }
+    snow::Mover ball{std::make_shared<const Collider>(points, faces), {}, {}};
+    for (int i = 0; i <= 960; ++i) {
+        const double time = i / 96.0;
+        glm::dmat4 matrix(1.0);
+        matrix[3] = glm::dvec4(1.8 * time - 9.0, 3.0 * std::sin(time), 0.52, 1.0);
+        ball.times.push_back(time);
+        ball.matrices.push_back(matrix);
+    }
+    const SnowLayer layer(positions, triangles, {0.0, 0.0, 1.0});
+    const std::vector<double> times{0.0, 10.0};
+    const std::vector<float> heights(2 * positions.size(), 0.1F);
+    const bench::Table table("Marks of a ball that rolls 36 m, one thread",
+                             {{"vertices", "", 0}, {"taken", "ms"}}, 34);
+    const double made =
+        bench::nanoseconds([&] { keep(snow::Marks(layer, {ball}, times, heights, {.step = 0.025}, 1)); }, 3);
+    const snow::Marks marks(layer, {ball}, times, heights, {.step = 0.025}, 1);
+    table.row("made", {static_cast<double>(marks.marked_count()), 1e-6 * made});
+    std::vector<float> pressed(positions.size());
+    const double asked =
+        bench::nanoseconds([&] { marks.press(9.0, std::span(heights).first(pressed.size()), {}, pressed); });
+    table.row("asked for what is pressed", {static_cast<double>(marks.marked_count()), 1e-6 * asked});
+}
+
 }  // namespace
 
 int main() {
@@ -259,6 +310,7 @@ int main() {
     measure(table, "steering and wind, 500 a second", few, 100.0);
     measure_landings(table, settings);
     measure_layers();
+    measure_marks();
     const double made = bench::nanoseconds([&] { keep(Snow(settings)); });
     const bench::Table anew("Snow made anew", {{"taken", "ms", 3}}, 34);
     anew.row("steering and wind", {1e-6 * made});

@@ -11,8 +11,10 @@
 #include "areas.hpp"
 #include "core/arguments.hpp"
 #include "core/typed.hpp"
+#include "marks.hpp"
 #include "mesh/arrays.hpp"
 #include "motus/snow/cover.hpp"
+#include "rows.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -41,16 +43,16 @@ using snow::SnowLayer;
 [[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> mesh(const SnowLayer& self,
                                                                         const ArrayLike& given_depths,
                                                                         const Number& thinnest,
-                                                                        const OptionalNumber& steepest) {
-    const FloatArray array = floats(given_depths, "depths");
-    if (array.ndim() != 1) value_error("depths", "must have the shape (v,), not " + shape_of(array));
-    const std::vector<float> depths(array.data(), array.data() + array.size());
+                                                                        const OptionalNumber& steepest,
+                                                                        const OptionalArrayLike& given_left) {
+    const std::vector<float> depths = float_row(given_depths, "depths");
+    const std::vector<float> left = float_row(given_left, "left");
     const float least = float_number(thinnest, "thinnest");
     const float tangent =
         steepest.is_none() ? std::numeric_limits<float>::infinity() : float_number(steepest, "steepest");
     const SnowLayer::Mesh found = [&] {
         const py::gil_scoped_release released;
-        return self.at(depths, least, tangent);
+        return self.at(depths, least, tangent, left);
     }();
     return py::dict("position"_a = array_of(found.positions), "depth"_a = array_of(found.depths),
                     "triangle"_a = array_of(found.triangles), "edge"_a = array_of(found.edges),
@@ -71,14 +73,16 @@ Raises ValueError or TypeError that names the argument.)")
              "up"_a = py::make_tuple(0.0, 0.0, 1.0), "shelter"_a = py::none(), "repose"_a = py::none())
         .def_property_readonly("vertex_count", &SnowLayer::vertex_count,
                                "How many vertices the triangles have.")
-        .def("mesh", &mesh, "depths"_a, "thinnest"_a = 0.0, "steepest"_a = py::none(), R"(
+        .def("mesh", &mesh, "depths"_a, "thinnest"_a = 0.0, "steepest"_a = py::none(), "left"_a = py::none(),
+             R"(
 The layer, as a dict: float32 position (n, 3) and depth (n,); int32 triangle (m, 3), edge (e, 2), which are all sides of the
 triangles, each once, and side (m, 3), the edges that leave each triangle's corners.
 
 depths (v,), m, across the surface.  thinnest, >= 0, m: snow that is not deeper is left out: the layer is cut along the
 line where it is that thin.  steepest, > 0: from vertex to vertex depths differ by no more than this fraction of the way between them; what
-would be higher has fallen off. At loose edges walls close the layer.
+would be higher has fallen off.  left (v,), >= 0, None: 1: how much of that depth is left. At loose edges walls close the layer.
 Raises ValueError or TypeError that names the argument.)");
+    bind_snow_marks(m);
 }
 
 }  // namespace motus::bindings

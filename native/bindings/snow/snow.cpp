@@ -22,6 +22,7 @@
 #include "core/typed.hpp"
 #include "mesh/arrays.hpp"
 #include "motus/snow/cover.hpp"
+#include "movers.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -54,14 +55,6 @@ constexpr double flake_cost = 10.0;  // ns, rough
                           {"cone", Shape::cone},
                           {"surface", Shape::surface},
                           {"frustum", Shape::frustum}});
-}
-
-/// (k,), empty for None.
-[[nodiscard]] DoubleArray row(const py::object& object, std::string_view name) {
-    if (object.is_none()) return DoubleArray(0);
-    DoubleArray array = doubles(object, name);
-    if (array.ndim() != 1) value_error(name, "must have the shape (k,), not " + shape_of(array));
-    return array;
 }
 
 [[nodiscard]] std::vector<snow::GradientStop> gradient(const py::object& object) {
@@ -150,25 +143,6 @@ void set_rate(const Number& rate, const OptionalArrayLike& times, const Optional
     return std::make_shared<Collider>(points, corners);
 }
 
-using MoverList = Typed<
-    "typing.Sequence[tuple[motus_native.SnowCollider, numpy.typing.ArrayLike, numpy.typing.ArrayLike]]">;
-
-void set_movers(const MoverList& movers, SnowSettings& settings) {
-    if (!py::isinstance<py::sequence>(movers)) wrong_type(movers, "movers", "a sequence");
-    for (const py::handle one : movers) {
-        if (!py::isinstance<py::sequence>(one) || py::len(one) != 3)
-            wrong_type(py::reinterpret_borrow<py::object>(one), "movers",
-                       "a sequence of colliders, times and matrices");
-        const auto parts = py::reinterpret_borrow<py::sequence>(one);
-        const py::object collider = parts[0], times = parts[1], poses = parts[2];
-        static_cast<void>(instance<Collider>(collider, "movers", "a SnowCollider"));
-        const DoubleArray at = row(times, "movers");
-        settings.movers.push_back({collider.cast<std::shared_ptr<Collider>>(),
-                                   {at.data(), at.data() + at.size()},
-                                   matrices(poses, "movers")});
-    }
-}
-
 void set_collisions(const OptionalNumber& ground, const py::object& collider, const CollisionName& collision,
                     const OptionalNumber& rest_time, const Number& melt_time, const Number& friction,
                     SnowSettings& settings) {
@@ -239,7 +213,7 @@ void set_collisions(const OptionalNumber& ground, const py::object& collider, co
     settings.turbulence_size = number(turbulence_size, "turbulence_size");
     settings.tumble = number(tumble, "tumble");
     set_collisions(ground, collider, collision, rest_time, melt_time, friction, settings);
-    set_movers(movers, settings);
+    settings.movers = movers_of(movers);
     settings.seed = seed_of(seed);
     set_emitter(emitter_times, emitter_matrices, settings);
     settings.inherited = number(inherited, "inherited");

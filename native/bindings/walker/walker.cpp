@@ -31,7 +31,7 @@ using walker::Walker;
 using GaitChanges = Typed<"typing.Sequence[tuple[int, numpy.typing.ArrayLike, float]] | None">;
 using ChosenSteps = Typed<
     "typing.Sequence[tuple[int, float, numpy.typing.ArrayLike, float, tuple[numpy.typing.ArrayLike, "
-    "numpy.typing.ArrayLike] | None]] | None">;
+    "numpy.typing.ArrayLike] | None, float | None, float | None]] | None">;
 
 constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns, rough
 
@@ -148,9 +148,10 @@ struct WayArguments {
     if (given.is_none()) return result;
     if (!py::isinstance<py::iterable>(given)) wrong_type(given, name, "a sequence of tuples");
     for (const py::handle one : given) {
-        const py::sequence items = items_of(one, name, 5, "tuples (leg, time, offset, turn, fixed)");
+        const py::sequence items =
+            items_of(one, name, 7, "tuples (leg, time, offset, turn, fixed, touch, until)");
         const py::object leg = items[0], time = items[1], offset = items[2], turn = items[3],
-                         fixed = items[4];
+                         fixed = items[4], touch = items[5], until = items[6];
         const int row = whole_number(leg, name);
         if (row < 0) value_error(name, "must have legs of rest");
         walker::ChosenStep step{static_cast<std::size_t>(row), number(time, name), vector(offset, name),
@@ -160,6 +161,8 @@ struct WayArguments {
             const py::object place = stand[0], rotation = stand[1];
             step.fixed = walker::Stand{vector(place, name), turn_argument(rotation, name)};
         }
+        if (!touch.is_none()) step.touch = number(touch, name);
+        if (!until.is_none()) step.until = number(until, name);
         result.push_back(step);
     }
     return result;
@@ -254,7 +257,7 @@ template <class Write>
 
 [[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> steps(const Walker& self) {
     std::vector<int> legs, chosen;
-    std::vector<double> lifts, touches, middles;
+    std::vector<double> lifts, touches, middles, planned;
     std::vector<glm::dquat> turns;
     std::vector<glm::dvec3> starts, ends, apexes;
     for (std::size_t leg = 0; leg < self.leg_count(); ++leg) {
@@ -266,6 +269,7 @@ template <class Write>
             ends.push_back(step.end);
             apexes.push_back(0.5 * (step.start + step.end) + step.rise);
             middles.push_back(step.middle);
+            planned.push_back(step.planned);
             turns.push_back(step.end_turn);
             chosen.push_back(step.chosen ? static_cast<int>(*step.chosen) : -1);
         }
@@ -276,7 +280,8 @@ template <class Write>
     rows_from_quaternions(rows);
     return py::dict("leg"_a = array_of(legs), "lift"_a = array_of(lifts), "touch"_a = array_of(touches),
                     "start"_a = to_array(starts), "end"_a = to_array(ends), "apex"_a = to_array(apexes),
-                    "middle"_a = array_of(middles), "turn"_a = rotations, "chosen"_a = array_of(chosen));
+                    "middle"_a = array_of(middles), "turn"_a = rotations, "chosen"_a = array_of(chosen),
+                    "planned"_a = array_of(planned));
 }
 
 [[nodiscard]] std::string_view name_of(walker::Trouble trouble) {
@@ -287,6 +292,10 @@ template <class Write>
             return "out_of_reach";
         case walker::Trouble::no_length:
             return "no_length";
+        case walker::Trouble::no_touch:
+            return "no_touch";
+        case walker::Trouble::no_lift:
+            return "no_lift";
     }
     return "";
 }
@@ -326,11 +335,12 @@ forward: of the feet, in the body's space, of which the part across up counts.  
 sole.  heel, toe, >= 0: how far behind and ahead of a foot's place its sole rolls.  strike, push, rad, [0, pi/2]: how much the toe
 is up when a heel touches down, and the heel when a toe lifts; less in steps shorter than the stride, the other way round in
 steps that go backwards.
-chosen: footholds that are chosen by hand, tuples (leg, time, offset, turn, fixed): of the stand of a leg at a time, s, or of the
+chosen: footholds that are chosen by hand, tuples (leg, time, offset, turn, fixed, touch, until): of the stand of a leg at a time, s, or of the
 swing before it, the rest place below which ground is looked for is moved by offset (3,), in the body's space, and the sole is
 turned by turn, rad, about the ground's normal, counter-clockwise from above. fixed: None, or (place (3,), rotation (4,)), w, x,
-y, z, of the foot with its flat sole, which stands there whatever body and ground do. Such footholds are never replaced by nearer
-ones; of several for one stand the last one counts.
+y, z, of the foot with its flat sole, which stands there whatever body and ground do. touch, until: s, when the foot touches down
+and when it lifts again, or None; the leg's steps before and after make room. Such footholds are never replaced by nearer ones; of
+several for one stand the last one counts. time is as steps has it in 'planned', without any touch and until.
 changes: of the gait over time, tuples (sample, phases (n,), duty) in the order of samples: from there on legs go over to this gait
 within `transition` cycles, [1, 1000], each by half a cycle at most, while feet that stand stay.  strides, cadences, duties (k,) or
 None: at the samples, in place of stride, cadence, and the duty of all gaits. A step has the stride and the duty of when it lifts.
@@ -394,10 +404,11 @@ Cycles since the first sample or the last jump, at times: a float or (m,).)")
         .def_property_readonly("steps", &steps, R"(
 All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
 foot is half-way; middle (s,), s, of the stand; turn (s, 4), w, x, y, z, of the flat sole on `end`; chosen (s,) int32: which of
-`chosen` it follows, -1 for none. If lift equals touch the foot is put there at once: at the first sample and at jumps.)")
+`chosen` it follows, -1 for none; planned (s,), s: `middle` if none had a touch or until. If lift equals touch the foot is put there at once: at the first sample and at jumps.)")
         .def_property_readonly("problems", &problems, R"(
 Problems with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
-foot stands on its rest place, 'out_of_reach' of the hip, and 'no_length' of a leg.)")
+foot stands on its rest place, 'out_of_reach' of the hip, 'no_length' of a leg, and 'no_touch' and 'no_lift' if a foot cannot touch
+down or lift when `chosen` says.)")
         .def_property_readonly("settled", &Walker::settled, "When the last foot has come to rest, s.")
         .def_property_readonly("nbytes", &Walker::bytes, "Of the memory that it takes.");
 }

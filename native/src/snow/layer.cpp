@@ -372,17 +372,31 @@ class SnowLayer::Builder {
     Mesh mesh_;
 };
 
-SnowLayer::Mesh SnowLayer::at(std::span<const float> depths, float thinnest, float steepest) const {
+std::vector<SnowLayer::Column> SnowLayer::columns() const {
+    std::vector<Column> found;
+    found.reserve(numbers_.size());
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+        if (normals_[i] != glm::vec3(0.0F)) found.push_back({numbers_[i], positions_[i], normals_[i]});
+    return found;
+}
+
+SnowLayer::Mesh SnowLayer::at(std::span<const float> depths, float thinnest, float steepest,
+                              std::span<const float> left) const {
     require(depths.size() == vertex_count_, "depths: must be as many as the vertices");
     require(std::ranges::all_of(depths, [](float depth) { return std::isfinite(depth); }),
             "depths: must be finite");
     require(thinnest >= 0.0F && std::isfinite(thinnest), "thinnest: must be at least 0 and finite");
     require(steepest > 0.0F, "steepest: must be greater than 0");
+    require(left.empty() || left.size() == vertex_count_, "left: must be as many as the vertices, or none");
+    require(std::ranges::all_of(left, [](float share) { return share >= 0.0F && std::isfinite(share); }),
+            "left: must be at least 0 and finite");
     return in_ieee_floats([&] {
         std::vector<float> fallen;
         fallen.reserve(numbers_.size());
         for (const std::uint32_t given : numbers_) fallen.push_back(depths[given]);
         if (heaps_) heaps_->settle(fallen, steepest);
+        if (!left.empty())
+            for (std::size_t i = 0; i < fallen.size(); ++i) fallen[i] *= left[numbers_[i]];
         return Builder(*this, fallen, thinnest).build();
     });
 }

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <ranges>
 #include <utility>
 
 #include "lean.hpp"
 #include "motus/core/numeric.hpp"
 #include "motus/core/parallel.hpp"
+#include "timing.hpp"
 
 namespace motus::walker {
 namespace {
@@ -33,6 +35,13 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
 [[nodiscard]] std::optional<Contact> raised(std::optional<Contact> met, double ankle) {
     if (met && ankle > 0.0) met->point += ankle * met->normal;
     return met;
+}
+
+/// Footfalls beyond the last planned one, for a leg of which a step is timed: its last foothold may be earlier.
+constexpr int spare_footfalls = 2;
+
+[[nodiscard]] bool has_times(const ChosenStep& step) {
+    return step.touch.has_value() || step.until.has_value();
 }
 
 [[nodiscard]] double expected_steps(const BodyTrajectory& trajectory) {
@@ -63,7 +72,8 @@ Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory,
       soles_(settings.soles, trajectory.way().up),
       executor_(std::move(executor)),
       hips_(settings.hips) {
-    require(expected_steps(trajectory) <= most_steps,
+    const auto spare = static_cast<double>(spare_footfalls) * static_cast<double>(settings.chosen.size());
+    require(expected_steps(trajectory) + spare <= most_steps,
             "poses: must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "
             "would be planned");
     if (!hips_.empty()) return;
@@ -115,29 +125,38 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     // The first footfall whose stand is half over when the body comes to rest.
     const auto last = static_cast<int>(
         std::ceil(trajectory_.cycles(stretch, leg, end) + own - 1.0 + 0.5 * trajectory_.duty(stretch, end)));
+    const int spare = is_timed(leg, stretch) ? spare_footfalls : 0;
     Footfalls falls;
-    for (int cycle = first; cycle <= std::max(first, last); ++cycle) {
-        const double lift = static_cast<double>(cycle) - own;
+    for (int cycle = first; cycle <= std::max(first, last) + spare; ++cycle) {
         Footfall fall;
-        fall.lift = trajectory_.time_after(stretch, leg, lift);
+        fall.lift_cycles = static_cast<double>(cycle) - own;
+        fall.lift = trajectory_.time_after(stretch, leg, fall.lift_cycles);
         fall.pace = {trajectory_.stride(stretch, fall.lift), trajectory_.duty(stretch, fall.lift)};
-        fall.touch = trajectory_.time_after(stretch, leg, lift + (1.0 - fall.pace.duty));
-        fall.until = trajectory_.time_after(stretch, leg, lift + 1.0);
+        fall.touch_cycles = fall.lift_cycles + (1.0 - fall.pace.duty);
+        fall.touch = trajectory_.time_after(stretch, leg, fall.touch_cycles);
+        fall.until = trajectory_.time_after(stretch, leg, fall.lift_cycles + 1.0);
         if (is_slow) fall.lift = std::max(fall.lift, begin);
-        fall.middle = trajectory_.time_after(stretch, leg, lift + 1.0 - 0.5 * fall.pace.duty);
-        fall.pose = trajectory_.pose(stretch, fall.middle);
-        fall.search = {in_world(fall.pose, way.rest[leg]), in_world(fall.pose, hips_[leg]),
-                       trajectory_.axes(fall.pose).up};
-        find_place(fall);
-        if (stretch > 0) fall.middle = std::max(fall.middle, begin);
-        if (stretch + 1 < trajectory_.stretch_count()) fall.middle = std::min(fall.middle, end);
+        stand_at(leg, stretch, trajectory_.time_after(stretch, leg, fall.lift_cycles + 1.0 - 0.5 * fall.pace.duty),
+                 fall);
+        fall.planned = fall.middle;
         falls.push_back(fall);
     }
     const double put = falls.size() > 1 ? std::min(begin, falls[1].lift) : begin;
     falls.front().lift = falls.front().touch = put;
     falls.back().until = std::numeric_limits<double>::infinity();
-    choose(leg, stretch, falls);
     return falls;
+}
+
+void Planner::stand_at(std::size_t leg, std::size_t stretch, double middle, Footfall& fall) const {
+    const Way& way = trajectory_.way();
+    fall.pose = trajectory_.pose(stretch, middle);
+    fall.search = {in_world(fall.pose, way.rest[leg]), in_world(fall.pose, hips_[leg]),
+                   trajectory_.axes(fall.pose).up};
+    find_place(fall);
+    fall.middle = middle;
+    if (stretch > 0) fall.middle = std::max(middle, way.times[trajectory_.first_sample(stretch)]);
+    if (stretch + 1 < trajectory_.stretch_count())
+        fall.middle = std::min(fall.middle, way.times[trajectory_.last_sample(stretch)]);
 }
 
 double Planner::least_step(const Footfall& fall) const {
@@ -145,11 +164,18 @@ double Planner::least_step(const Footfall& fall) const {
     return fall.chosen ? none : std::max(settings_.minimum_step, none);
 }
 
-void Planner::choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
+bool Planner::is_timed(std::size_t leg, std::size_t stretch) const {
+    return std::ranges::any_of(settings_.chosen, [&](const ChosenStep& one) {
+        return one.leg == leg && has_times(one) && trajectory_.stretch_at(one.time) == stretch;
+    });
+}
+
+std::vector<Planner::ChosenStand> Planner::chosen_stands(std::size_t leg, std::size_t stretch,
+                                                         const Footfalls& falls) const {
     const auto is_here = [&](const ChosenStep& one) {
         return one.leg == leg && trajectory_.stretch_at(one.time) == stretch;
     };
-    if (std::ranges::none_of(settings_.chosen, is_here)) return;
+    if (std::ranges::none_of(settings_.chosen, is_here)) return {};
     // Footfalls between which there is no step are one stand, which is chosen as a whole.
     std::vector<std::size_t> stands;
     for (std::size_t i = 0; i < falls.size(); ++i) {
@@ -157,29 +183,129 @@ void Planner::choose(std::size_t leg, std::size_t stretch, Footfalls& falls) con
                                           least_step(falls[i]);
         stands.push_back(goes_on ? stands.back() : i);
     }
+    std::vector<ChosenStand> found;
     for (std::size_t one = 0; one < settings_.chosen.size(); ++one) {
         const ChosenStep& step = settings_.chosen[one];
         if (!is_here(step)) continue;
         const auto after = std::ranges::upper_bound(falls, step.time, {}, &Footfall::lift);
         const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - falls.begin() - 1, 0));
-        for (std::size_t i = stands[at]; i < falls.size() && stands[i] == stands[at]; ++i)
-            falls[i].chosen = one;
+        const auto end = std::ranges::upper_bound(stands, stands[at]);
+        const ChosenStand stand{one, stands[at], static_cast<std::size_t>(end - stands.begin())};
+        const auto place = std::ranges::lower_bound(found, stand.first, {}, &ChosenStand::first);
+        if (place != found.end() && place->first == stand.first)
+            *place = stand;
+        else
+            found.insert(place, stand);
     }
-    for (std::size_t i = 0; i < falls.size(); ++i) {
-        Footfall& fall = falls[i];
-        if (!fall.chosen) continue;
-        const ChosenStep& step = settings_.chosen[*fall.chosen];
-        if (step.fixed) {
-            fall.place = {step.fixed->place, soles_.normal(step.fixed->turn), 0.0};
-            fall.is_grounded = true;
-        } else if (stands[i] < i) {
-            fall.place = falls[stands[i]].place;
-            fall.is_grounded = falls[stands[i]].is_grounded;
-        } else {
-            fall.search.rest += glm::dmat3(fall.pose) * step.offset;
-            find_place(fall);
+    return found;
+}
+
+std::vector<std::size_t> Planner::choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
+    std::vector<ChosenStand> stands = chosen_stands(leg, stretch, falls);
+    std::vector<std::size_t> timed;
+    for (const ChosenStand& stand : stands)
+        if (has_times(settings_.chosen[stand.chosen])) timed.push_back(stand.chosen);
+    if (!timed.empty()) make_room(leg, stretch, falls, stands);
+    for (const ChosenStand& stand : stands) {
+        const ChosenStep& step = settings_.chosen[stand.chosen];
+        for (std::size_t i = stand.first; i < stand.end; ++i) {
+            Footfall& fall = falls[i];
+            fall.chosen = stand.chosen;
+            if (step.fixed) {
+                fall.place = {step.fixed->place, soles_.normal(step.fixed->turn), 0.0};
+                fall.is_grounded = true;
+            } else if (i > stand.first) {
+                fall.place = falls[stand.first].place;
+                fall.is_grounded = falls[stand.first].is_grounded;
+            } else {
+                fall.search.rest += glm::dmat3(fall.pose) * step.offset;
+                find_place(fall);
+            }
         }
     }
+    return timed;
+}
+
+void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
+                        std::vector<ChosenStand>& stands) const {
+    const auto cycles = [&](double time) { return trajectory_.cycles(stretch, leg, time); };
+    const auto nearest = [&](double wanted, std::size_t from, std::size_t least, double Footfall::*moment) {
+        const auto apart = [&](std::size_t i) { return std::abs(falls[i].*moment - wanted); };
+        std::size_t at = std::clamp(from, least, falls.size() - 1);
+        while (at + 1 < falls.size() && apart(at + 1) < apart(at)) ++at;
+        while (at > least && apart(at - 1) < apart(at)) --at;
+        return at;
+    };
+    const double begin = trajectory_.way().times[trajectory_.first_sample(stretch)];
+    Timing timing;
+    std::vector<std::pair<double*, double>> set;
+    const auto is_here = [&](const std::optional<double>& moment) {
+        return moment && *moment >= begin && trajectory_.stretch_at(*moment) == stretch;
+    };
+    const auto keep = [&](double& moment, double planned, double wanted) {
+        if (timing.set(planned, cycles(wanted))) set.emplace_back(&moment, wanted);
+    };
+    std::vector<char> is_left_out(falls.size(), 0);
+    std::size_t free = 0;  // the footfalls before are taken by stands
+    std::vector<ChosenStand> kept;
+    for (ChosenStand stand : stands) {
+        const ChosenStep& step = settings_.chosen[stand.chosen];
+        const bool touches = is_here(step.touch) && stand.first > 0, lifts = is_here(step.until);
+        const std::size_t first = std::max(stand.first, free);
+        if (first == falls.size() || (!touches && stand.end <= first)) continue;
+        const double planned = falls[stand.first].planned;
+        stand.first = touches ? nearest(cycles(*step.touch), first, std::max<std::size_t>(free, 1),
+                                        &Footfall::touch_cycles)
+                              : first;
+        stand.end = std::max(stand.end, stand.first + 1);
+        if (lifts && stand.first + 1 < falls.size())
+            stand.end =
+                nearest(cycles(*step.until), stand.end, stand.first + 1, &Footfall::lift_cycles);
+        for (std::size_t i = std::min(first, stand.first); i < stand.end; ++i)
+            if (i != stand.first) is_left_out[i] = 1;
+        Footfall& fall = falls[stand.first];
+        fall.planned = planned;
+        if (touches) keep(fall.touch, fall.touch_cycles, *step.touch);
+        if (lifts && stand.end < falls.size())
+            keep(falls[stand.end].lift, falls[stand.end].lift_cycles, *step.until);
+        free = stand.end;
+        kept.push_back(stand);
+    }
+    for (Footfall& fall : falls | std::views::drop(1)) {
+        if (timing.shift(fall.lift_cycles) != 0.0)
+            fall.lift = std::max(trajectory_.time_after(stretch, leg, timing.moved(fall.lift_cycles)), begin);
+        if (timing.shift(fall.touch_cycles) != 0.0)
+            fall.touch = trajectory_.time_after(stretch, leg, timing.moved(fall.touch_cycles));
+    }
+    for (const auto& [moment, wanted] : set) *moment = wanted;
+
+    Footfalls rest;
+    auto stand = kept.begin();
+    for (std::size_t i = 0; i < falls.size(); ++i) {
+        if (is_left_out[i] != 0) continue;
+        const bool is_chosen = stand != kept.end() && stand->first == i;
+        const bool is_whole = !is_chosen || has_times(settings_.chosen[stand->chosen]);
+        std::size_t next = i + 1;
+        while (next < falls.size() && is_left_out[next] != 0) ++next;
+        Footfall& fall = falls[i];
+        fall.until = next < falls.size() ? falls[next].lift : std::numeric_limits<double>::infinity();
+        const double end = is_whole && next < falls.size() && next > i + 1 ? falls[next].lift_cycles
+                                                                         : fall.lift_cycles + 1.0;
+        const bool stays = end == fall.lift_cycles + 1.0 && timing.shift(fall.touch_cycles) == 0.0 &&
+                           timing.shift(end) == 0.0;
+        if (!stays) {
+            const double middle = 0.5 * (timing.moved(fall.touch_cycles) + timing.moved(end));
+            stand_at(leg, stretch, trajectory_.time_after(stretch, leg, middle), fall);
+        }
+        if (is_chosen) {
+            stand->first = rest.size();
+            stand->end = rest.size() + 1;
+            ++stand;
+        }
+        rest.push_back(fall);
+    }
+    falls = std::move(rest);
+    stands = std::move(kept);
 }
 
 glm::dquat Planner::turn_of(const Footfall& fall) const {
@@ -201,6 +327,7 @@ std::vector<Footstep> Planner::steps_of(const Footfalls& falls, bool looks_for_o
         step.end_normal = fall.place.normal;
         step.end_turn = turn_of(fall);
         step.middle = fall.middle;
+        step.planned = fall.planned;
         step.chosen = fall.chosen;
         step.is_grounded = fall.is_grounded;
         step.start = before != nullptr ? before->place.point : step.end;
@@ -364,16 +491,36 @@ std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
             add_missed(leg, stretch, steps[i].end, first, last, found);
         }
     }
+    add_mistimed(leg, stretch, steps, found);
+    std::ranges::stable_sort(found, {}, &Problem::first);
     return found;
+}
+
+void Planner::add_mistimed(std::size_t leg, std::size_t stretch, std::span<const Footstep> steps,
+                           std::vector<Problem>& found) const {
+    for (const std::size_t one : timed_[row(leg, stretch)]) {
+        const ChosenStep& wanted = settings_.chosen[one];
+        const auto step = std::ranges::find(steps, std::optional(one), &Footstep::chosen);
+        const bool is_there = step != steps.end();
+        const bool touches = is_there && step->lift < step->touch && step->touch == wanted.touch;
+        const bool lifts = is_there && step + 1 != steps.end() && (step + 1)->lift == wanted.until;
+        if (wanted.touch && !touches)
+            found.push_back({leg, *wanted.touch, *wanted.touch, Trouble::no_touch});
+        if (wanted.until && !lifts)
+            found.push_back({leg, *wanted.until, *wanted.until, Trouble::no_lift});
+    }
 }
 
 WalkPlan Planner::plan() {
     const std::size_t stretches = trajectory_.stretch_count();
     const std::size_t rows = hips_.size() * stretches;
     falls_.resize(rows);
+    timed_.resize(rows);
     for_legs([&](std::size_t leg) {
-        for (std::size_t stretch = 0; stretch < stretches; ++stretch)
+        for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
             falls_[row(leg, stretch)] = footfalls(leg, stretch);
+            timed_[row(leg, stretch)] = choose(leg, stretch, falls_[row(leg, stretch)]);
+        }
     });
     dynamics::Track leans = leans_of(all_steps(false));
     correct(leans);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "footing.hpp"
@@ -32,6 +33,8 @@ class Planner {
   private:
     /// A foot's stand in one cycle, and its swing before.
     struct Footfall {
+        double lift_cycles = 0.0;   ///< BodyTrajectory::cycles() when it is planned to lift
+        double touch_cycles = 0.0;  ///< and to touch down
         double lift = 0.0;   ///< s
         double touch = 0.0;  ///< s
         double until = 0.0;  ///< when the next cycle's swing begins, s
@@ -39,12 +42,18 @@ class Planner {
         Contact place;
         bool is_grounded = true;
         double middle = 0.0;                  ///< of the stand, s
+        double planned = 0.0;                 ///< `middle` if no step were timed, s
         Pace pace;                            ///< of the gait when the foot lifts
         glm::dmat4 pose{1.0};                 ///< of the body then
         std::optional<std::size_t> chosen{};  ///< index in WalkSettings::chosen
     };
     /// Footfalls of a leg on one stretch; at the first one the foot is put.
     using Footfalls = std::vector<Footfall>;
+    /// A stand that is chosen: footfalls from `first` on, before `end`.
+    struct ChosenStand {
+        std::size_t chosen = 0;  ///< index in WalkSettings::chosen
+        std::size_t first = 0, end = 0;
+    };
 
     /// Calls work(leg) for all legs, on several threads if that pays.
     template <class Work>
@@ -54,10 +63,25 @@ class Planner {
     }
     [[nodiscard]] Footfalls footfalls(std::size_t leg, std::size_t stretch) const;
     void find_place(Footfall& fall) const;
+    /// Where a footfall is whose stand has its middle at a time, s.
+    void stand_at(std::size_t leg, std::size_t stretch, double middle, Footfall& fall) const;
     /// Steps between nearer places are left out, m.
     [[nodiscard]] double least_step(const Footfall& fall) const;
-    /// Puts footfalls where they are chosen to be.
-    void choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
+    /// The stands of a leg that are chosen, by time.
+    [[nodiscard]] std::vector<ChosenStand> chosen_stands(std::size_t leg, std::size_t stretch,
+                                                         const Footfalls& falls) const;
+    [[nodiscard]] bool is_timed(std::size_t leg, std::size_t stretch) const;
+    /// Puts footfalls where, and when, they are chosen to be. Returns the indices of timed stands in
+    /// WalkSettings::chosen.
+    std::vector<std::size_t> choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
+    /// Gives timed stands the footfalls that are nearest to their moments, leaves out footfalls that are
+    /// passed over, and has those around make room. The stands are then of one footfall each, without those
+    /// that have none left.
+    void make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
+                   std::vector<ChosenStand>& stands) const;
+    /// Adds a problem for each moment at which a timed step does not touch down or lift.
+    void add_mistimed(std::size_t leg, std::size_t stretch, std::span<const Footstep> steps,
+                      std::vector<Problem>& found) const;
     /// Turn of the flat sole, from the body's space to the world.
     [[nodiscard]] glm::dquat turn_of(const Footfall& fall) const;
     /// Where a foot is that stands on the ground that is found, its ankle above the sole.
@@ -95,6 +119,7 @@ class Planner {
     Executor executor_;
     std::vector<glm::dvec3> hips_;           ///< the settings', or the middle of all feet for each leg
     std::vector<Footfalls> falls_;           ///< by row()
+    std::vector<std::vector<std::size_t>> timed_;  ///< by row(): indices in WalkSettings::chosen
     std::vector<Correction> corrections_{};  ///< at samples
 };
 

@@ -43,7 +43,9 @@ void check(const Soles& soles) {
 /// Checks a step that is chosen, and makes its turn one of unit length.
 void check(ChosenStep& step, std::size_t legs) {
     require(step.leg < legs, "chosen: must have legs of rest");
-    require(std::isfinite(step.time), "chosen: must have finite times");
+    require(std::isfinite(step.time) && std::isfinite(step.touch.value_or(0.0)) &&
+                std::isfinite(step.until.value_or(0.0)),
+            "chosen: must have finite times");
     require(is_place(step.offset), "chosen: must have finite offsets, 1e12 at most");
     require(is_length(std::abs(step.turn)), "chosen: must have finite turns, 1e12 at most");
     if (!step.fixed) return;

@@ -5,6 +5,7 @@
 #include "contracts/samples.hpp"
 #include "motus/snow/cover.hpp"
 #include "motus/snow/layer.hpp"
+#include "motus/snow/marks.hpp"
 #include "motus/snow/snow.hpp"
 
 namespace motus::contracts {
@@ -323,6 +324,49 @@ void add_snows(Table& table) {
                            }});
 }
 
+void add_marks(Table& table, const SnowLayer& layer) {
+    using S = MarksSettings;
+    static const std::vector<Mover> movers{{sample_collider(), {0.0}, {glm::dmat4(1.0)}}};
+    const std::vector<double> times{0.0, 1.0};
+    const std::vector<float> depths(5, 0.2F);
+    add(
+        table, "snow::Marks::Marks(layer, movers, times, heights, settings, executor)",
+        [&layer](const auto& at, const auto& heights, const S& given) {
+            const Marks made(layer, movers, at, heights, given, 1);
+            std::vector<float> pressed(made.vertex_count());
+            made.press(1.0, pressed, {}, pressed);
+            return pressed;
+        },
+        arg("times", times, rising()),
+        arg("heights", std::vector<float>(10, 0.2F), at_least(0.0).open().tested_to(1e15),
+            as_many_as("the vertices at all times")),
+        of(S{}, member("packed", &S::packed, at_least(0.0)), member("step", &S::step, above(0.0))))
+        .costs("O(looks log triangles)")
+        .allocates(Memory::scratch)
+        .adds("`movers` as those of `SnowSettings`")
+        .infinite();
+    static const Marks marks(layer, movers, times, std::vector<float>(10, 0.2F), {}, 1);
+    add(
+        table, "snow::Marks::press(time, depths, shares, pressed)",
+        [](double time, const auto& given, const auto& shares, auto pressed) {
+            marks.press(time, given, shares, pressed);
+        },
+        arg("time", 1.0, finite()), arg("depths", depths, any().open(), as_many_as("the vertices")),
+        arg("shares", std::vector<float>(5, 0.5F), any().open(), as_many_or_none("the vertices")),
+        out<float>("pressed", 5, "the vertices"))
+        .costs("O(marked vertices)");
+    table.moved.push_back({"snow::Marks", "of no vertices", [] {
+                               Marks from = marks;
+                               const Marks taken = std::move(from);
+                               // NOLINTNEXTLINE(bugprone-use-after-move)
+                               expect(from.vertex_count() == 0 && from.marked_count() == 0, "is empty");
+                               // NOLINTNEXTLINE(bugprone-use-after-move)
+                               from.press(0.0, {}, {}, {});
+                               from = taken;
+                               expect(from.vertex_count() == 5, "is assigned");
+                           }});
+}
+
 void add_covers(Table& table) {
     using C = CoverSettings;
     add(
@@ -391,11 +435,15 @@ void add_covers(Table& table) {
     static const SnowLayer layer(sample_positions(), sample_triangles(), up, nullptr,
                                  std::numeric_limits<double>::infinity(), 1);
     add(
-        table, "snow::SnowLayer::at(depths, thinnest, steepest)",
-        [](const auto& given, float thinnest, float steepest) { return layer.at(given, thinnest, steepest); },
+        table, "snow::SnowLayer::at(depths, thinnest, steepest, left)",
+        [](const auto& given, float thinnest, float steepest, const auto& left) {
+            return layer.at(given, thinnest, steepest, left);
+        },
         arg("depths", depths, finite().open().tested_to(1e15), as_many_as("the vertices")),
         arg("thinnest", 0.01F, at_least(0.0)),
-        arg("steepest", 1.0F, numbers("> 0, or infinity", [](double x) { return x > 0.0; })))
+        arg("steepest", 1.0F, numbers("> 0, or infinity", [](double x) { return x > 0.0; })),
+        arg("left", std::vector<float>(5, 0.5F), at_least(0.0).open().tested_to(1e15),
+            as_many_or_none("the vertices")))
         .costs("O(triangles)")
         .allocates(Memory::scratch);
     table.moved.push_back({"snow::SnowLayer", "of no vertices", [] {
@@ -407,6 +455,7 @@ void add_covers(Table& table) {
                                from = taken;
                                expect(from.vertex_count() == 5, "is assigned");
                            }});
+    add_marks(table, layer);
 }
 
 }  // namespace

@@ -324,7 +324,7 @@ void add_walkers(Table& table) {
     settings.bodies.assign(4, glm::dmat4(1.0));
     const Soles soles{{0.0, 1.0, 0.0}, 0.1, 0.1, 0.2, 0.3, 0.8};
     const Domain pitch = from(0.0, 0.5 * std::numbers::pi).in_words("0 to π/2");
-    const ChosenStep chosen{0, 0.5, {0.1, 0.0, 0.0}, 0.2, std::nullopt};
+    const ChosenStep chosen{0, 0.5, {0.1, 0.0, 0.0}, 0.2, std::nullopt, 0.45, 0.9};
     const Stand stand{{0.2, 0.3, 0.4}, {0.8, 0.0, 0.0, 0.6}};
     const Domain turn = direction().open().in_words("finite, not 0");
     add(
@@ -355,7 +355,8 @@ void add_walkers(Table& table) {
            member("strike", &Soles::strike, pitch), member("push", &Soles::push, pitch)),
         of(chosen, member("chosen", &ChosenStep::time, finite()),
            member("chosen", &ChosenStep::offset, up_to(1e12).open()),
-           member("chosen", &ChosenStep::turn, up_to(1e12).open())),
+           member("chosen", &ChosenStep::turn, up_to(1e12).open()),
+           member("chosen", &ChosenStep::touch, finite()), member("chosen", &ChosenStep::until, finite())),
         of(stand, member("chosen", &Stand::place, up_to(1e12).open()), member("chosen", &Stand::turn, turn)))
         .costs("O(steps) rays")
         .allocates(Memory::scratch)

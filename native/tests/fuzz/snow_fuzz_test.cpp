@@ -12,6 +12,7 @@
 #include "motus/core/numeric.hpp"
 #include "motus/snow/cover.hpp"
 #include "motus/snow/layer.hpp"
+#include "motus/snow/marks.hpp"
 #include "motus/snow/snow.hpp"
 
 using namespace motus;
@@ -214,7 +215,21 @@ TEST_CASE("births, covers and layers of any numbers are refused or finite", "[fu
         returns([&] { (void)SnowLayer(mesh.positions, mesh.triangles, dice.place()); });
         std::vector<float> depths(mesh.positions.size());
         for (float& depth : depths) depth = dice.chance(0.95) ? dice.between(0.0F, 1.0F) : dice.single();
-        returns([&] { (void)layer.at(depths, dice.single(0.0, 0.1), dice.single(0.1, 2.0)); });
+        returns([&] { (void)layer.at(depths, dice.single(0.0, 0.1), dice.single(0.1, 2.0), depths); });
+        returns([&] {
+            glm::dmat4 place(1.0);
+            for (int column = 0; column < 4; ++column)
+                for (int row = 0; row < 3; ++row)
+                    place[column][row] = dice.chance(0.9) ? dice.number(-1.0, 1.0) : place[column][row];
+            const Mover mover{settings.collider, {0.0, 1.0}, {glm::dmat4(1.0), place}};
+            std::vector<float> twice = depths;
+            twice.insert(twice.end(), depths.begin(), depths.end());
+            const Marks marks(layer, {mover}, std::vector{0.0, dice.number(0.5, 2.0)}, twice,
+                              {dice.number(0.0, 0.1), dice.number(0.01, 1.0)}, 1);
+            std::vector<float> pressed(depths.size());
+            marks.press(dice.number(0.0, 2.0), depths, {}, pressed);
+            for (const float gone : pressed) CHECK((std::isfinite(gone) && gone >= 0.0F));
+        });
         if (round % 10 != 0) continue;
         returns([&] {
             double end = dice.number(0.0, 5.0);

@@ -135,14 +135,15 @@ class WalkerTest(unittest.TestCase):
 
     def test_steps(self):
         steps = walker().steps
-        self.assertEqual(list(steps), ["leg", "lift", "touch", "start", "end", "apex", "middle", "turn", "chosen"])
+        self.assertEqual(list(steps), ["leg", "lift", "touch", "start", "end", "apex", "middle", "turn", "chosen", "planned"])
         count = len(steps["leg"])
         self.assertEqual(steps["leg"].dtype, np.int32)
         self.assertEqual(steps["chosen"].dtype, np.int32)
         self.assertEqual(set(steps["chosen"]), {-1})
         self.assertEqual(steps["turn"].shape, (count, 4))
         np.testing.assert_allclose(np.linalg.norm(steps["turn"], axis=1), 1.0)
-        for name in ("lift", "touch", "middle"):
+        np.testing.assert_array_equal(steps["planned"], steps["middle"])
+        for name in ("lift", "touch", "middle", "planned"):
             self.assertEqual(steps[name].shape, (count,))
         for name in ("start", "end", "apex"):
             self.assertEqual(steps[name].shape, (count, 3))
@@ -158,27 +159,38 @@ class WalkerTest(unittest.TestCase):
         row = np.flatnonzero(planned["leg"] == 2)[2]
         time = planned["middle"][row]
         fixed = (3.0, 2.0, 1.0), (0.0, 0.0, 0.0, 2.0)
-        steps = walker(chosen=[(np.int32(2), time, (0.1, 0.2, 0.0), 0.5, None)]).steps
+        steps = walker(chosen=[(np.int32(2), time, (0.1, 0.2, 0.0), 0.5, None, None, None)]).steps
         np.testing.assert_allclose(steps["end"][row], planned["end"][row] + (0.1, 0.2, 0.0), atol=1e-12)
         np.testing.assert_allclose(steps["turn"][row], (np.cos(0.25), 0.0, 0.0, np.sin(0.25)), atol=1e-12)
         np.testing.assert_array_equal(np.flatnonzero(steps["chosen"] == 0), [row])
         np.testing.assert_allclose(steps["start"][row + 1], steps["end"][row])
-        steps = walker(chosen=((2, time, (0.1, 0.2, 0.0), 0.0, fixed),)).steps
+        steps = walker(chosen=((2, time, (0.1, 0.2, 0.0), 0.0, fixed, None, None),)).steps
         np.testing.assert_array_equal(steps["end"][row], fixed[0])
         np.testing.assert_array_equal(steps["turn"][row], (0.0, 0.0, 0.0, 1.0))
+        touch, until = planned["touch"][row] + 0.05, planned["lift"][row + 1] + 0.1
+        timed = walker(chosen=[(2, time, (0.0, 0.0, 0.0), 0.0, None, touch, until)])
+        self.assertEqual((timed.steps["touch"][row], timed.steps["lift"][row + 1]), (touch, until))
+        self.assertEqual(timed.steps["planned"][row], time)
+        self.assertEqual(timed.problems, [])
+        timed = walker(chosen=[(2, time, (0.0, 0.0, 0.0), 0.0, None, touch, touch - 1.0)])
+        self.assertEqual(timed.problems, [(2, touch - 1.0, touch - 1.0, "no_lift")])
+        timed = walker(chosen=[(2, time, (0.0, 0.0, 0.0), 0.0, None, -9.0, None)])
+        self.assertEqual(timed.problems, [(2, -9.0, -9.0, "no_touch")])
         for wrong in (
             7,
             [7],
             [(2, time)],
-            [(2.5, time, (0, 0, 0), 0.0, None)],
-            [(8, time, (0, 0, 0), 0.0, None)],
-            [(-1, time, (0, 0, 0), 0.0, None)],
-            [(2, "now", (0, 0, 0), 0.0, None)],
-            [(2, time, (0, 0), 0.0, None)],
-            [(2, time, (0, 0, 0), np.nan, None)],
-            [(2, time, (0, 0, 0), 0.0, 1)],
-            [(2, time, (0, 0, 0), 0.0, ((0, 0, 0), (0, 0, 0)))],
-            [(2, time, (0, 0, 0), 0.0, ((0, 0, 0), (0, 0, 0, 0)))],
+            [(2.5, time, (0, 0, 0), 0.0, None, None, None)],
+            [(8, time, (0, 0, 0), 0.0, None, None, None)],
+            [(-1, time, (0, 0, 0), 0.0, None, None, None)],
+            [(2, "now", (0, 0, 0), 0.0, None, None, None)],
+            [(2, time, (0, 0), 0.0, None, None, None)],
+            [(2, time, (0, 0, 0), np.nan, None, None, None)],
+            [(2, time, (0, 0, 0), 0.0, 1, None, None)],
+            [(2, time, (0, 0, 0), 0.0, ((0, 0, 0), (0, 0, 0)), None, None)],
+            [(2, time, (0, 0, 0), 0.0, ((0, 0, 0), (0, 0, 0, 0)), None, None)],
+            [(2, time, (0, 0, 0), 0.0, None, np.nan, None)],
+            [(2, time, (0, 0, 0), 0.0, None, None, "late")],
         ):
             with self.assertRaisesRegex((ValueError, TypeError), "^chosen: "):
                 walker(chosen=wrong)

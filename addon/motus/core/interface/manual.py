@@ -1,16 +1,28 @@
-"""Which page of the manual tells of which setting."""
+"""The manual: which of its pages tells of which setting, and how Blender's *Online Manual* and the panels' help buttons open it.
+
+A place is the end of an address: the page, and behind # what is told there, such as path.html#motus_pg_path.duration, all in lower case.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
+import bpy
+
 from ..declare import page, registered, title
+from ..refusals import Refused
+from ..translations import tr
 from . import overlay
 from .view import preferences
 
-GENERAL = "operators"
-"""Name of the page that tells of the settings of no system: the switch of all overlays, and the add-on's preferences."""
+SITE = ""
+"""Address of the manual's site, with / at its end. If it is empty, the pages in the add-on's folder are opened."""
+START, GENERAL = "index", "operators"
+"""Names of the first page, and of the page that tells of what is no system's: operators, the overlay's switch, the add-on's preferences."""
+PAGES = Path(__file__).parents[2] / "manual"
+"""Folder of the pages that come with the add-on, in a folder for each language."""
 
 
 class Table(NamedTuple):
@@ -65,3 +77,94 @@ def _shown(rna: Any) -> list[Any]:
 def _is_group(prop: Any) -> bool:
     """Whether a property of Motus is a property group or a list of such groups."""
     return prop.is_runtime and prop.type in {'POINTER', 'COLLECTION'} and getattr(prop.fixed_type.base, "identifier", "") == 'PropertyGroup'
+
+
+def address(place: str) -> str:
+    """The address to open for a place: of the site, or of a page that leads to the add-on's own one. Raises Refused if there is neither.
+
+    The place is in Spanish if that is the language of Blender's interface and there is such a page.
+    """
+    spanish = PAGES / "es" / place.partition("#")[0]
+    is_spanish = _is_spanish() and spanish.exists()
+    if SITE:
+        return f"{SITE}{'es/' if is_spanish else ''}{place}"
+    found = spanish if is_spanish else PAGES / "en" / spanish.name
+    if not found.exists():
+        raise Refused(tr("This copy of Motus has no manual: its pages are in the zips that Motus is installed from"))
+    target = f"{found.as_uri()}#{place.partition('#')[2]}".removesuffix("#")
+    return _written(f'<meta http-equiv="refresh" content="0; url={target}"><a href="{target}">{found.name}</a>')
+
+
+def _is_spanish() -> bool:
+    return bpy.app.translations.locale.startswith("es")
+
+
+def _written(content: str) -> str:
+    """The address of a page with this content, in Blender's temporary folder.
+
+    What opens a file by its address drops what stands behind #, on Windows, macOS and with xdg-open. A browser does not, once it shows a
+    page that leads there.
+    """
+    path = Path(bpy.app.tempdir, "motus_manual.html")
+    path.write_text(
+        f'<!DOCTYPE html><meta charset="utf-8"><meta name="color-scheme" content="light dark"><title>Motus</title>{content}\n',
+        encoding="utf-8",
+    )
+    return path.as_uri()
+
+
+class MOTUS_OT_manual(bpy.types.Operator):
+    bl_idname = "motus.manual"
+    bl_label = "Open Manual"
+    bl_description = "Show in a browser what the manual says about this panel"
+    bl_options = {'INTERNAL'}
+
+    page: bpy.props.StringProperty()
+
+    def execute(self, _context):
+        try:
+            found = address(f"{self.page}.html")
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        return bpy.ops.wm.url_open(url=found)
+
+
+def draw_button(layout: Any, name: str) -> None:
+    """Draw a button with an icon alone, for the header of a panel, that opens a page. name: of the page."""
+    layout.operator(MOTUS_OT_manual.bl_idname, text="", icon='HELP', emboss=False).page = name
+
+
+class _Beginning:
+    """Beginning of all addresses, to which Blender adds the place that it has found in the manual map."""
+
+    def __add__(self, place: str) -> str:
+        try:
+            return address(place)
+        except Refused as refusal:
+            return _written(f"<p>{refusal}</p>")
+
+
+def manual_map() -> tuple[_Beginning, list[tuple[str, str]]]:
+    """What Blender's *Online Manual* asks for: the beginning of all addresses, and (pattern of what was clicked, place), the first counts."""
+    settings, structs = {}, {}
+    for table in tables():
+        struct = table.struct.lower()
+        structs[f"bpy.types.{struct}.*"] = f"{table.page}.html#{struct}"  # what has no row in the table, such as the lines of a list
+        for name in (f"{struct}.{setting.identifier}" for setting in table.settings):
+            settings[f"bpy.types.{name}"] = f"{table.page}.html#{name}"
+    operators = {f"bpy.ops.motus.{name}": f"{GENERAL}.html#motus.{name}" for name in dir(bpy.ops.motus)}
+    return _Beginning(), list((settings | structs | operators).items())
+
+
+def register() -> None:
+    """Tell Blender where the manual tells of Motus."""
+    bpy.utils.register_manual_map(manual_map)
+
+
+def unregister() -> None:
+    """Take the manual map back."""
+    bpy.utils.unregister_manual_map(manual_map)
+
+
+classes = (MOTUS_OT_manual,)

@@ -12,9 +12,9 @@ import bpy
 
 from .. import native
 from ..bake import state
-from ..declare import described, registered, title
+from ..declare import described, page, registered, title
 from ..translations import tr
-from . import bone_entries, overlay, ui
+from . import bone_entries, manual, overlay, ui
 from .view import first_steps, offering
 
 COPY, PASTE, KEEP, REFRESH = "motus.settings_copy", "motus.settings_paste", "motus.asset_keep", "motus.refresh"
@@ -158,8 +158,10 @@ def _main(panel):
             return panel.is_shown(context)
 
         def draw_header_preset(self, context):
+            row = self.layout.row(align=True)
             if panel.presets and panel.shows_settings(context):
-                panel.presets.draw_panel_header(self.layout)
+                panel.presets.draw_panel_header(row)
+            manual.draw_button(row, page(registered[panel.name]))
 
         def draw(self, context):
             draw(panel, self.layout, context)
@@ -246,6 +248,9 @@ class _Adding:
     The buttons do not depend on the selection, so that each keeps its place. A button that does not suit the selection is greyed out, and
     its tooltip says why.
     """
+
+    def draw_header_preset(self, _context):
+        manual.draw_button(self.layout, manual.START)
 
     def draw(self, context):
         layout = self.layout

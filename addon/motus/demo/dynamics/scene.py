@@ -17,8 +17,9 @@ RADIUS, HEIGHT = 1.25, 0.85  # radius of the circle around the table and height 
 CENTRE = (0.15, 0.35)
 CROUCH, AIR = 6, 10  # frames of crouching before the take-off, and frames in the air
 START = math.radians(200.0)  # angle on the circle at which the creature starts
+ANTENNAE = 0.4  # weight of the antennae's dynamics: with all of it they are folded up at each landing
 
-CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-0.9, -7.9, 2.0), (0.0, 0.2, 0.86), 48.0
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-0.9, -7.9, 2.0), (0.0, 0.2, 0.95), 44.0
 
 
 def build(context):
@@ -40,13 +41,11 @@ def build(context):
 def _add_dynamics(rig):
     """Add dynamics for the motion that has no keys, as a loop: the scene's last frame leads into its first frame without a seam."""
     tail, left, right = (",".join(skeleton.names(chain)) for chain in (skeleton.TAIL, *skeleton.ANTENNAE))
-    bpy.ops.motus.dynamics_add(object=rig.name, bones=tail, style='FLOPPY', frequency=2.2, chain_delay=0.035, use_loop=True)
+    bpy.ops.motus.dynamics_add(object=rig.name, bones=tail, style='FLOPPY', chain_delay=0.035, use_loop=True)
     for antenna in (left, right):
-        bpy.ops.motus.dynamics_add(
-            object=rig.name, bones=antenna, style='BOUNCY', frequency=4.0, damping=0.3, chain_delay=0.015, use_loop=True
-        )
+        bpy.ops.motus.dynamics_add(object=rig.name, bones=antenna, style='BOUNCY', chain_delay=0.015, weight=ANTENNAE, use_loop=True)
     bpy.ops.motus.dynamics_add(
-        object=rig.name, bones=skeleton.BODY, style='BOUNCY', frequency=3.2, damping=0.25, follow='OWN', channels={'SCALE'}, use_loop=True
+        object=rig.name, bones=skeleton.BODY, style='BOUNCY', follow='OWN', channels={'SCALE'}, use_loop=True
     )
 
 

@@ -1,9 +1,10 @@
-"""The scene "Motus Snow": a village at the edge of a wood at dusk turns white in falling snow."""
+"""The scene "Motus Snow": a village at the edge of a wood at dusk turns white in falling snow, through which a snowball rolls."""
 
 import math
 
 import bpy
-from mathutils import Vector
+import numpy as np
+from mathutils import Matrix, Vector
 
 from ..stage import lighting, shapes, staging
 from ..village import houses, props, snowfall, terrain, trees
@@ -30,7 +31,12 @@ CLOUDS = (
 )
 AHEAD = 8.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
 LIFETIME = 14.0  # seconds until a flake has come down
-COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0)}
+COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.05}
+ROLL = (5.6, -3.6), (3.4, -1.4), (1.6, -0.9), (0.3, 0.6), (0.2, 2.6)
+"""Points, x and y, between which the snowball rolls in a smooth curve."""
+ROLLS = 2.0, 9.0  # seconds of the scene
+BALL = 0.24, 0.46  # m, radius of the snowball before and after
+PRESSED = 0.08  # m, between the ball and the ground
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
 CAMERA_TRAVEL = 1.1  # m by which the camera moves to the left during the scene
 
@@ -48,7 +54,8 @@ def build(context):
     props.build(land, covered)
     trees.build(land, covered, terrain.mottled("Wood Needles", (0.012, 0.034, 0.024), (0.022, 0.052, 0.038), 3.0, white))
     _add_camera(scene, land)
-    snowfall.add(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)
+    ball = _add_snowball(scene, land)
+    snowfall.add(context, snow, covered, CLOUDS, AHEAD, LIFETIME, {**COVER, "movers": ball.name})
     scene.frame_set(1)
     return scene
 
@@ -62,6 +69,32 @@ def _add_moon(collection):
     lamp = bpy.data.lights.new("Moon", "SUN")
     lamp.energy, lamp.color, lamp.angle = MOON_STRENGTH, MOON_COLOR, math.radians(4.0)
     shapes.link_object(collection, "Moon", lamp).rotation_euler = MOON_ROTATION
+
+
+def _add_snowball(scene, collection):
+    """Add a snowball that rolls over the meadow and grows. Returns the object."""
+    points, faces = shapes.sphere(1.0, segments=48, rings=25)
+    points = points * (1.0 + 0.03 * np.sin(7.0 * points @ (1.0, 0.3, 0.0)) * np.cos(6.0 * points @ (0.0, 1.0, 0.7)))[:, None]
+    mesh = shapes.MeshBuilder()
+    mesh.add((points, faces))
+    ball = shapes.link_object(
+        collection, "Snowball", mesh.build("Snowball", [terrain.mottled("Snowball", (0.78, 0.82, 0.90), terrain.WHITE, 5.0)])
+    )
+    first, last = (round(scene.frame_start + at * scene.render.fps) for at in ROLLS)
+    turned, before = Matrix.Identity(3), None
+    # The points of the curve are closer to each other toward its ends, where the ball is slow.
+    for number, (x, y) in enumerate(shapes.smooth_profile_points(ROLL, last - first + 1).tolist()):
+        radius = BALL[0] + (BALL[1] - BALL[0]) * math.sqrt(number / (last - first))
+        place = Vector((x, y, terrain.ground_at(x, y) + radius + PRESSED))
+        if before is not None:
+            step = place - before
+            turned = Matrix.Rotation(step.length / radius, 3, Vector((-step.y, step.x, 0.0))) @ turned
+        before = place
+        ball.location, ball.scale, ball.rotation_mode = place, 3 * (radius,), "QUATERNION"
+        ball.rotation_quaternion = turned.to_quaternion()
+        for name in ("location", "scale", "rotation_quaternion"):
+            ball.keyframe_insert(name, frame=first + number)
+    return ball
 
 
 def _add_camera(scene, collection):

@@ -37,6 +37,7 @@ class MOTUS_OT_snow_cover_add(FindsValues, SnowCoverKeywords, bpy.types.Operator
     surfaces: _names("Surfaces", "Names of the mesh objects that snow lies on, between commas; empty takes the selected ones")
     collection: _names("Collection", "Name of a collection on whose meshes snow lies too")
     emitters: _names("Emitters", "Names of the emitters of snow, between commas; empty takes the selected ones, or all of the scene")
+    movers: _names("Movers", "Names of mesh objects that leave marks in the snow, between commas")
     lands: bpy.props.BoolProperty(
         name="Flakes Land",
         description="Let flakes of emitters that have no collider land on all the surfaces and on the collection",
@@ -56,13 +57,16 @@ class MOTUS_OT_snow_cover_add(FindsValues, SnowCoverKeywords, bpy.types.Operator
         check_finite(self, KEYWORDS)
         surfaces, collection = _surfaces(context, self.surfaces, self.collection)
         emitters = _emitters(context, self.emitters)
+        movers = _listed(self.movers)
+        for obj in movers:
+            _check_mover(obj)
         keywords = self.given(KEYWORDS)
         cover = build.new_cover(context)
         settings = cover.motus.snow_cover
         for name, value in keywords.items():
             setattr(settings, name, value)
         settings.collection = collection
-        for entries, objects in ((settings.surfaces, surfaces), (settings.emitters, emitters)):
+        for entries, objects in ((settings.surfaces, surfaces), (settings.emitters, emitters), (settings.movers, movers)):
             for obj in objects:
                 entries.add().object = obj
         if self.lands:
@@ -122,6 +126,11 @@ def _emitters(context, names):
 def _check_emitter(obj):
     if not sources.is_emitter(obj):
         raise Refused(tr("{object} is no emitter of snow").format(object=obj.name))
+
+
+def _check_mover(obj):
+    if not sources.is_surface(obj):
+        raise Refused(tr("{object} cannot leave marks: it is no mesh").format(object=obj.name))
 
 
 def _let_land(emitters, surfaces, collection):
@@ -191,26 +200,37 @@ class _OnCover(OfAnObject):
 
 
 class _InList(_OnCover):
-    """Base of operators that add objects to, or remove them from, a cover's list of surfaces or of emitters."""
+    """Base of operators that add objects to, or remove them from, a cover's list of surfaces, emitters or movers."""
 
     what: bpy.props.EnumProperty(
         name="List",
         description="List that the objects are added to or removed from",
-        items=(('SURFACES', "Surfaces", "Surfaces that snow lies on"), ('EMITTERS', "Snow", "Emitters that snow falls from")),
+        items=(
+            ('SURFACES', "Surfaces", "Surfaces that snow lies on"),
+            ('EMITTERS', "Snow", "Emitters that snow falls from"),
+            ('MOVERS', "Marks", "Objects that leave marks"),
+        ),
         options={'SKIP_SAVE'},
     )
     for_scripts = ("what",)
 
     def entries(self, cover):
-        """Return the list (collection property) of a cover's settings that the operator changes: surfaces or emitters."""
-        settings = cover.motus.snow_cover
-        return settings.surfaces if self.what == 'SURFACES' else settings.emitters
+        """Return the list (collection property) of a cover's settings that the operator changes."""
+        return getattr(cover.motus.snow_cover, self.what.lower())
+
+
+_SUITING = {
+    'SURFACES': (sources.is_surface, _check_surface),
+    'EMITTERS': (sources.is_emitter, _check_emitter),
+    'MOVERS': (sources.is_surface, _check_mover),
+}
+"""For each list of a cover: whether an object suits it, and the check that refuses other objects."""
 
 
 class MOTUS_OT_snow_cover_entry_add(_InList, bpy.types.Operator):
     bl_idname = "motus.snow_cover_entry_add"
     bl_label = "Add to Snow Cover"
-    bl_description = "Add the objects that are named, or the selected ones, to those that snow lies on or falls from"
+    bl_description = "Add the objects that are named, or the selected ones, to those that snow lies on, falls from, or shows marks of"
 
     objects: _names("Objects", "Names of objects, between commas; empty takes the selected ones")
 
@@ -218,7 +238,7 @@ class MOTUS_OT_snow_cover_entry_add(_InList, bpy.types.Operator):
         cover = self.found(context, self.object)
         entries = self.entries(cover)
         known = [pointed(entry, "object") for entry in entries]
-        is_wanted, check = (sources.is_surface, _check_surface) if self.what == 'SURFACES' else (sources.is_emitter, _check_emitter)
+        is_wanted, check = _SUITING[self.what]
         if self.objects:
             found = _listed(self.objects)
             for obj in found:
@@ -248,8 +268,7 @@ class MOTUS_OT_snow_cover_entry_remove(_InList, bpy.types.Operator):
         index = self.index if self.index >= 0 else len(entries) - 1
         if not 0 <= index < len(entries):
             raise Refused(tr("The list has no such object"))
-        path = "surfaces" if self.what == 'SURFACES' else "emitters"
-        if index < libraries.count_from_library(cover, f"motus.snow_cover.{path}"):
+        if index < libraries.count_from_library(cover, f"motus.snow_cover.{self.what.lower()}"):
             raise Refused(tr("The object is in the library's list, and cannot be removed"))
         entries.remove(index)
         wiring.touch(build.system(), cover)

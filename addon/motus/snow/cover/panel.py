@@ -3,6 +3,8 @@
 from ...core import wiring
 from ...core.declare import is_owner
 from ...core.interface import panels, ui
+from ...core.interface.tracks import panel as track_panel
+from .. import births
 from . import rows, solve, sources
 from .build import system
 from .presets import PANEL as PRESETS
@@ -40,10 +42,20 @@ def draw_emitters(layout, context):
     _draw_list(layout, context.object, 'EMITTERS')
 
 
+def draw_marks(layout, context):
+    """Draw the list of objects that leave marks, how their motion is known if it is not by keys, and how deep they press."""
+    cover = context.object
+    _draw_list(layout, cover, 'MOVERS')
+    for mover in sources.movers(cover.motus.snow_cover):
+        found = births.track(mover, context.scene)
+        if found.reason is not None:
+            track_panel.draw(layout, found, datablock=mover.name)
+    rows.MARKS.draw(ui.split(layout), cover.motus.snow_cover)
+
+
 def _draw_list(layout, cover, what):
-    settings = cover.motus.snow_cover
     column = layout.column(align=True)
-    for index, entry in enumerate(settings.surfaces if what == 'SURFACES' else settings.emitters):
+    for index, entry in enumerate(getattr(cover.motus.snow_cover, what.lower())):
         row = column.row(align=True)
         row.prop(entry, "object", text="")
         button = row.operator("motus.snow_cover_entry_remove", text="", icon='X')
@@ -85,6 +97,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("surfaces", "Surfaces", draw_surfaces, is_open=True),
         panels.Part("emitters", "Snow", draw_emitters, is_open=True),
+        panels.Part("marks", "Marks", draw_marks),
         panels.Part("layer", "Snow Layer", draw_layer),
     ),
     readouts=draw_readouts,

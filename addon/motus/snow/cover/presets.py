@@ -34,6 +34,18 @@ BROUGHT = (
         "Grows fast into thick round cushions",
         {"lump": 0.22, "repose": math.radians(50.0), "smoothing": 0.45, "thinnest": 0.006},
     ),
+    Preset(
+        'FOOTPRINTS',
+        "Footprints",
+        "Even snow in which feet leave clear prints, packed below",
+        {"lump": 0.12, "repose": math.radians(45.0), "smoothing": 0.5, "thinnest": 0.004, "packed": 0.03},
+    ),
+    Preset(
+        'SWEPT',
+        "Swept Road",
+        "What passes sweeps all snow away, down to the surface",
+        {"lump": 0.12, "repose": math.radians(45.0), "smoothing": 0.4, "thinnest": 0.004, "packed": 0.0},
+    ),
 )
 SETTINGS = "bpy.context.object.motus.snow_cover"
 

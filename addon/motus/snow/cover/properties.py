@@ -65,6 +65,15 @@ class SnowCoverKeywords:
         soft_max=0.05,
         subtype='DISTANCE',
     )
+    packed: number(
+        "Packed Snow",
+        "Depth of the snow that stays, packed, under what leaves marks: at 0 the surface is swept",
+        0.02,
+        min=0.0,
+        max=1e3,
+        soft_max=0.2,
+        subtype='DISTANCE',
+    )
     depth_group: bpy.props.StringProperty(
         name="Depth Group",
         description="Vertex group, or attribute of numbers, of the surfaces by whose weights the snow's depth is multiplied",
@@ -87,9 +96,14 @@ KEYWORDS = tuple(SnowCoverKeywords.__annotations__)
 
 
 class MOTUS_PG_snow_cover_entry(bpy.types.PropertyGroup):
-    """An item in a cover's list of surfaces or of emitters."""
+    """An item in a cover's list of surfaces, emitters or movers."""
 
-    object: to_object(name="Object", description="Mesh object that snow lies on, or emitter of snow", update=rewire, override=OVERRIDABLE)
+    object: to_object(
+        name="Object",
+        description="Mesh object that snow lies on or that leaves marks, or emitter of snow",
+        update=rewire,
+        override=OVERRIDABLE,
+    )
 
 
 class MOTUS_PG_snow_cover(SystemSettings, SnowCoverKeywords, bpy.types.PropertyGroup):
@@ -102,6 +116,7 @@ class MOTUS_PG_snow_cover(SystemSettings, SnowCoverKeywords, bpy.types.PropertyG
         override=OVERRIDABLE,
     )
     emitters: bpy.props.CollectionProperty(type=MOTUS_PG_snow_cover_entry, name="Snow", override=EXTENDABLE)
+    movers: bpy.props.CollectionProperty(type=MOTUS_PG_snow_cover_entry, name="Movers", override=EXTENDABLE)
     material: bpy.props.PointerProperty(
         type=bpy.types.Material, name="Material", description="Material of the lying snow", update=_dress, override=OVERRIDABLE
     )

@@ -14,5 +14,6 @@ def _groups(settings):
 
 
 SNOW = Rows(("lump", "repose", "smoothing", Row("depth_group", search=_groups), "influence"), title="Snow")
+MARKS = Rows(("packed",), title="Marks")
 LAYER = Rows(("resolution", "viewport_resolution", "thinnest"), title="Snow Layer")
-ALL = (SNOW, LAYER)
+ALL = (SNOW, MARKS, LAYER)

@@ -63,7 +63,7 @@ def _path(plan, fall, smoothing):
     except OSError:  # another version of the add-on has taken its place
         return None
     name = hashlib.blake2b(by_what, digest_size=16)
-    for part in _parts((plan._replace(falls=(), share=0.0, smoothing=smoothing), fall)):
+    for part in _parts((plan._replace(falls=(), share=0.0, smoothing=smoothing, marks=None), fall)):
         name.update(part)
     return Path(folder) / f"{name.hexdigest()}.cover"
 

@@ -15,7 +15,7 @@ from ...core.measures import scene_time
 from ...core.refusals import INFINITE
 from ...core.scenery import meshes, seen, stillness
 from .. import births, clock, colliders, flakes, view
-from . import ground, painted, sources, work
+from . import ground, marks, painted, sources, work
 
 NO_SURFACE = Problem("Add a mesh that snow is to lie on")
 NO_FACES = Problem("None of the surfaces has faces")
@@ -41,6 +41,7 @@ PROBLEMS = (
     MOVES,
     SOME_WITHOUT,
     NO_GROUP,
+    marks.UNKNOWN,
     work.TOO_FINE,
     work.LESS_SMOOTH,
     flakes.NOT_FINITE,
@@ -66,11 +67,12 @@ _OF_LOOKS = {"start_size", "start_color", "random_size", "random_color", "tumble
 class _Present(NamedTuple):
     """What the shown depth depends on beside the computed cover.
 
-    times: {full name of the emitter: seconds of its own time}. painted: for each surface its painted.Painted, or None.
+    times: {full name of the emitter: seconds of its own time}. painted: for each surface its painted.Painted, or None. frame: of the scene.
     """
 
     times: dict
     painted: tuple
+    frame: float
 
 
 def solve(context, scenery, influence):
@@ -83,7 +85,7 @@ def solve(context, scenery, influence):
     context.outputs[:] = 0.0
     if sources.signature(settings) != settings.reads:
         context.wants_to_settle = True
-    numbers = settings.lump, settings.resolution, settings.repose, settings.smoothing, settings.thinnest, influence
+    numbers = settings.lump, settings.resolution, settings.repose, settings.smoothing, settings.thinnest, settings.packed, influence
     if not all(abs(number) < INFINITE for number in numbers):
         return NOT_FINITE
     if influence <= 0.0:
@@ -109,7 +111,7 @@ def _work(context, name, plan):
     if work.is_too_fine(plan):
         return work.TOO_FINE
     found = work.known(name, plan)
-    if found is None and work.may_wait(context.depsgraph, context.owner) and work.price(plan) > work.LONG * _share(context):
+    if found is None and work.may_wait(context.depsgraph, context.owner) and work.remaining(name, plan) > work.LONG * _share(context):
         work.ask(name, plan)
         return WAITING
     return found or work.do(name, plan)
@@ -120,19 +122,17 @@ def _share(context):
 
 
 def _fill(context, plan, found, present, influence):
-    depths = np.zeros(found.ground.vertex_count, np.float32)
-    for cover, fall in zip(found.covers, plan.falls):
-        depths += cover.heights(present.times.get(fall.emitter, fall.end))
-    shown = slice(found.ground.layer.vertex_count)
-    depths = depths[shown] * np.float32(influence)
+    fallen = marks.heights(found.ground, found.covers, [present.times.get(fall.emitter, fall.end) for fall in plan.falls])
     shares = painted.spread(plan, found.ground, present.painted)
-    if shares is not None:
-        depths *= shares
-    mesh = found.ground.layer.mesh(depths, context.settings.thinnest, math.tan(max(context.settings.repose, LEAST_SIDE)))
+    shares = np.full_like(fallen, influence) if shares is None else shares * np.float32(influence)
+    left = marks.left(plan, found.marks, present.frame, fallen, shares)
+    depths = fallen * shares
+    mesh = found.ground.layer.mesh(depths, context.settings.thinnest, math.tan(max(context.settings.repose, LEAST_SIDE)), left)
     room = context.points(len(mesh["position"]), len(mesh["edge"]), len(mesh["triangle"]))
     for name, own in (("position", "position"), ("depth", "depth"), ("edges", "edge"), ("triangles", "triangle"), ("sides", "side")):
         room[name][...] = mesh[own][: len(room[name])]
-    context.outputs[0] = np.dot(depths.astype(float), found.covers[0].areas[shown])
+    lying = depths if left is None else depths * left
+    context.outputs[0] = np.dot(lying.astype(float), found.covers[0].areas[: len(lying)])
     context.outputs[1] = mesh["depth"].max(initial=0.0)
 
 
@@ -141,7 +141,7 @@ def _plan(context, settings, scenery):
 
     The Plan is None if the cover cannot be computed. scenery: {original object: evaluated object}.
     """
-    scene, present = context.depsgraph.scene, _Present({}, ())
+    scene, present = context.depsgraph.scene, _Present({}, (), context.frame)
     # Objects that were added to the collection after the cover was wired may not be evaluated yet.
     surfaces = [one for one in sources.surfaces(settings) if all(obj in scenery for obj in (one.object, *one.instancers))]
     if not surfaces:
@@ -165,9 +165,9 @@ def _plan(context, settings, scenery):
     if any(stillness.moves(scenery[obj], scene) for one in surfaces for obj in (one.object, *one.instancers)):
         fault = fault or MOVES
     pull = tuple(scene.gravity) if scene.use_gravity and any(scene.gravity) else DOWN
-    falls, shelters = [], {}
+    falls, shelters, clocks, last = [], {}, [], _last(context)
     for emitter in emitters:
-        fall, problem = _fall(context, emitter, pull, scenery)
+        fall, problem = _fall(context, emitter, pull, scenery, last)
         if problem is SOME_WITHOUT:
             fault = fault or problem
             continue
@@ -177,8 +177,12 @@ def _plan(context, settings, scenery):
         shelters |= dict.fromkeys(sheltering)
         fault = problem or unsure or fault
         falls.append(fall)
+        clocks.append(clock.read(emitter, context.fps)[0])
     if not falls:
         return None, present, NO_SNOW
+    movers = [scenery[obj] for obj in sources.movers(settings) if obj in scenery]
+    pressing, problem = marks.collected(settings, movers, scene, clocks, last) if movers else (None, None)
+    fault = fault or problem
     resolution = settings.resolution if waits_for_all(context.depsgraph) else max(settings.resolution, settings.viewport_resolution)
     rounds = work.rounds(settings.smoothing, resolution)
     plan = work.Plan(
@@ -191,14 +195,22 @@ def _plan(context, settings, scenery):
         settings.repose,
         rounds,
         work.share_of_smoothing(lain_on, resolution, rounds * len(falls), _share(context)),
+        pressing,
     )
     return plan, present, fault
 
 
-def _fall(context, emitter, pull, scenery):
+def _last(context):
+    """Frame until which flakes fall that count: the scene's last one, or on later frames a multiple of BEYOND."""
+    end = scene_time.last(context.depsgraph.scene)
+    return max(end, BEYOND * math.ceil(context.frame / BEYOND) if context.frame > end else 0)
+
+
+def _fall(context, emitter, pull, scenery, last):
     """Collect all that the flakes of one emitter are computed from; returns (work.Fall, Problem to show or None).
 
     (None, Problem) if its flakes cannot be computed. pull: acceleration, m/s^2, of gravity. scenery: {original object: evaluated object}.
+    last: frame until which flakes count.
     """
     snow, scene = emitter.motus.snow, context.depsgraph.scene
     numbers = flakes.numbers(snow)
@@ -207,8 +219,6 @@ def _fall(context, emitter, pull, scenery):
     given = {name: value for name, value in numbers if name not in _OF_LOOKS}
     # Gravity counts for lying snow in any case; for flakes only if it is switched on for the emitter and the scene.
     given["gravity"] = given["gravity"] and scene.use_gravity and any(scene.gravity)
-    end_of_scene = scene_time.last(scene)
-    last = max(end_of_scene, BEYOND * math.ceil(context.frame / BEYOND) if context.frame > end_of_scene else 0)
     own, is_time_known = clock.read(emitter, context.fps)
     end = own.seconds(last)
     rate, is_rate_known = births.rate_of(emitter, last, own)

@@ -1,4 +1,4 @@
-"""Find the objects that a snow cover reads: surfaces, emitters, and objects that shelter the surfaces from flakes.
+"""Find the objects that a snow cover reads: surfaces, emitters, movers, and objects that shelter the surfaces from flakes.
 
 The functions take the settings of an original or evaluated cover, and return original objects.
 """
@@ -42,6 +42,13 @@ def surfaces(settings):
     return [one for one in dict.fromkeys(found) if is_surface(one.object) and not deleted.is_deleted(one.object)]
 
 
+def movers(settings):
+    """List the original mesh objects of a cover's settings that leave marks, each once, without deleted ones and surfaces."""
+    listed = [one.original for one in (pointed(entry, "object") for entry in settings.movers) if one]
+    lain_on = {one.object for one in surfaces(settings)}
+    return [obj for obj in dict.fromkeys(listed) if is_surface(obj) and obj not in lain_on and not deleted.is_deleted(obj)]
+
+
 def emitters(settings):
     """List the original emitters of a cover's settings, each once, without deleted ones."""
     return list(_emitters(settings))
@@ -56,9 +63,9 @@ def _emitters(settings):
 def scenery(settings):
     """List the original objects whose geometry a cover reads, and the empties that instance such objects.
 
-    The geometry is that of surfaces, of colliders of the emitters, and of meshes that emit flakes.
+    The geometry is that of surfaces, of movers, of colliders of the emitters, and of meshes that emit flakes.
     """
-    found = [one for each in surfaces(settings) for one in (each.object, *each.instancers)]
+    found = [one for each in surfaces(settings) for one in (each.object, *each.instancers)] + movers(settings)
     for emitter in _emitters(settings).values():
         found += colliders.objects(emitter.motus.snow)
         if emitter.motus.snow.shape == 'SURFACE' and source(emitter):

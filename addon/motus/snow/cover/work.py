@@ -11,7 +11,7 @@ from ...core.declare import Problem
 from ...core.evaluated.shares import waits_for_all
 from ...core.measures import bounds
 from .. import flakes
-from . import ground, shelf
+from . import ground, marks, shelf
 
 KEPT, MOST_KEPT = 2, 64
 """Most results (Work) that are kept for one cover, and for all covers together."""
@@ -60,7 +60,7 @@ class Plan(NamedTuple):
     lain_on, shelters: meshes that carry snow, and meshes that only shelter them. resolution: edge length of the refined surface, m.
     up: direction against gravity. falls: a Fall for each emitter. volume: volume of the snow that one flake adds, m^3.
     repose: angle of repose, radians. smoothing: number of rounds of smoothing. share: of the limit of work, that the smoothing has on each
-    frame.
+    frame. marks: marks.Marks, or None.
     """
 
     lain_on: tuple
@@ -72,14 +72,19 @@ class Plan(NamedTuple):
     repose: float
     smoothing: int
     share: float = 1.0
+    marks: Any = None
 
 
 class Work(NamedTuple):
-    """Result of computing a Plan. ground: Ground of the cover. covers: native SnowCover of each Fall. fault: Problem to show, or None."""
+    """Result of computing a Plan.
+
+    ground: Ground of the cover. covers: native SnowCover of each Fall. fault: Problem to show, or None. marks: tuple of native SnowMarks.
+    """
 
     ground: Any
     covers: tuple
     fault: Any
+    marks: tuple = ()
 
 
 _done = keeping.OfFile(
@@ -113,9 +118,30 @@ def is_too_fine(plan):
 
 
 def price(plan):
-    """Approximate price of computing a plan: about its microseconds (see core/measures/bounds.py)."""
+    """Approximate price of computing a plan without its marks: about its microseconds (see core/measures/bounds.py)."""
     triangles = sum(len(one.faces.triangles) for one in (*plan.lain_on, *plan.shelters))
     return sum(map(_price, plan.falls)) + TRIANGLE * (triangles + min(4 * ground.MOST, _refined(plan.lain_on, plan.resolution)))
+
+
+def remaining(name, plan):
+    """Approximate price of what is not computed yet of a plan (see core/measures/bounds.py). name: of the cover's object."""
+    found = 0.0 if _unmarked(name, plan) else price(plan)
+    if plan.marks is None:
+        return found
+    vertices = min(ground.MOST, 0.5 * _refined(plan.lain_on, plan.resolution))
+    depths = ROUND * vertices * plan.smoothing * len(plan.falls) * len(plan.marks.times)
+    return found + depths + marks.price(plan.marks, vertices, plan.resolution)
+
+
+def _unmarked(name, plan):
+    """The kept Work of a plan that differs from this one in nothing but its marks; None if there is none. name: of the cover's object."""
+    place = name, plan._replace(marks=None)
+    for (whose, one), found in _done.items():
+        other = whose, one._replace(marks=None)
+        # Parts of two plans can be compared if their hashes are equal: a rate may be a number or Rates.
+        if isinstance(found, Work) and hash(other) == hash(place) and other == place:
+            return found
+    return None
 
 
 def _refined(lain_on, resolution):
@@ -182,7 +208,9 @@ def do(name, plan):
 
 def steps(name, plan):
     """Compute a plan in parts and keep the result; yields the number of parts done, of part_count(). name: of the cover's object."""
-    found = yield from _steps(plan)
+    found = _unmarked(name, plan) or (yield from _steps(plan))
+    if isinstance(found, Work):
+        found = found._replace(marks=(yield from _marked(plan, found)))
     _done.add((name, plan), found)
     for place in [place for place, _ in _done.items() if place[0] == name][:-KEPT]:
         _done.drop(place)
@@ -192,7 +220,7 @@ def steps(name, plan):
 
 def part_count(plan):
     """Number of parts in which the cover's computation is done, for the progress of an operator."""
-    return 1 + (PARTS + 1) * len(plan.falls)
+    return 1 + (PARTS + 1) * len(plan.falls) + (marks.part_count(plan.marks) if plan.marks else 0)
 
 
 def _steps(plan):
@@ -214,6 +242,20 @@ def _steps(plan):
         done += PARTS + 1
         yield done
     return Work(place, tuple(covers), LESS_SMOOTH if smoothing < plan.smoothing else None)
+
+
+def _marked(plan, found):
+    """Compute the marks of a plan; returns a tuple of native SnowMarks, and yields the number of parts done. found: Work without marks."""
+    if plan.marks is None:
+        return ()
+    done, parts = part_count(plan._replace(marks=None)), marks.steps(plan, found.ground, found.covers)
+    while True:
+        try:
+            next(parts)
+        except StopIteration as end:
+            return end.value
+        done += 1
+        yield done
 
 
 def _covered(place, plan, fall, smoothing, done):

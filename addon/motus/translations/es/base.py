@@ -101,6 +101,9 @@ INTERFACE = {
     "Hidden object that lets the curve's deformation be evaluated first": "Objeto oculto que hace evaluar antes la deformación de la curva",
     "Leader": "Guía",
     "Object whose settings drive this one": "Objeto cuyos ajustes mueven este",
+    "Show in a browser what the manual says about this panel": "Mostrar en un navegador lo que el manual dice de este panel",
+    "This copy of Motus has no manual: its pages are in the zips that Motus is installed from": "Esta copia de Motus no tiene manual: sus "
+    "páginas están en los zips desde los que se instala Motus",
     "Copy the message to the clipboard": "Copiar el mensaje al portapapeles",
     "Nothing is selected": "No hay nada seleccionado",
     "Select an object and choose below what it shall do, or build an example with Demo Scene at the end": "Selecciona un objeto y elige abajo lo que ha de hacer, o crea un ejemplo con Escena de demostración, al final",
@@ -503,6 +506,7 @@ OWN_SENSE = {
 
 OPERATORS = {
     "Hide First Steps": "Ocultar los primeros pasos",
+    "Open Manual": "Abrir el manual",
     "To All Selected": "A selección",
     "Copy Settings": "Copiar ajustes",
     "Paste Settings": "Pegar ajustes",

@@ -3,6 +3,7 @@
 Places are in the space that the steps are planned in: the world, or the space of the walker's carrier.
 """
 
+import math
 from typing import Any, NamedTuple
 
 from mathutils import Matrix, Quaternion, Vector
@@ -17,11 +18,16 @@ from ...core.translations import tr
 from .. import carrier, legs, plan, setup, told
 
 
+CHANGED = "offset", "turn", "is_locked", "place", "rotation", "use_touch", "touch", "use_lift", "lift"
+"""Names of the properties of an entry that say what was changed of its step."""
+
+
 class Step(NamedTuple):
     """A step of the plan. leg: index of the leg. middle: of the foot's stand, s.
 
     end, turn: place of the foot, and rotation of its flat sole from the body's space. entry: index of the entry that chose the step; -1 if
-    the step is as it was planned.
+    the step is as it was planned. planned: the middle of the stand if no step were timed, s, by which an entry chooses the step. touch, lift:
+    when the foot touches the ground and when it lifts again, s; -inf if it was put there, inf if it stays.
     """
 
     leg: int
@@ -29,6 +35,9 @@ class Step(NamedTuple):
     end: Any
     turn: Any
     entry: int
+    planned: float
+    touch: float
+    lift: float
 
 
 def planned(context, owner):
@@ -40,7 +49,18 @@ def planned(context, owner):
 
 
 def _step(arrays, row):
-    return Step(int(arrays["leg"][row]), float(arrays["middle"][row]), arrays["end"][row], arrays["turn"][row], int(arrays["chosen"][row]))
+    leg, touch = arrays["leg"][row], float(arrays["touch"][row])
+    goes_on = row + 1 < len(arrays["leg"]) and arrays["leg"][row + 1] == leg
+    return Step(
+        int(leg),
+        float(arrays["middle"][row]),
+        arrays["end"][row],
+        arrays["turn"][row],
+        int(arrays["chosen"][row]),
+        float(arrays["planned"][row]),
+        -math.inf if arrays["lift"][row] == touch else touch,
+        float(arrays["lift"][row + 1]) if goes_on else math.inf,
+    )
 
 
 def near(context, owner, seconds, most):
@@ -50,6 +70,33 @@ def near(context, owner, seconds, most):
     """
     arrays = planned(context, owner)
     return [_step(arrays, row) for row in np.flatnonzero(np.abs(arrays["middle"] - seconds) <= most)]
+
+
+def between(context, owner, first, last):
+    """List the Steps of a walker on which a foot stands at some time from `first` to `last`, s, in the order of legs and times.
+
+    owner: original object that walks. Raises Refused if it does not walk.
+    """
+    arrays = planned(context, owner)
+    found = [_step(arrays, row) for row in np.flatnonzero(arrays["touch"] <= last)]
+    return [step for step in found if step.lift >= first]
+
+
+def changed(context, owner):
+    """{index of an entry in a walker's settings: the Step that it chooses}; an entry without effect chooses none.
+
+    owner: original object that walks. Raises Refused if it does not walk.
+    """
+    arrays = planned(context, owner)
+    return {int(arrays["chosen"][row]): _step(arrays, row) for row in np.flatnonzero(arrays["chosen"] >= 0)}
+
+
+def step_of_entry(context, owner, index):
+    """Return the Step that an entry of a walker's settings chooses. Raises Refused if it chooses none, or the owner does not walk."""
+    found = changed(context, owner).get(index)
+    if found is None:
+        raise Refused(tr("{object} has no such step").format(object=owner.name))
+    return found
 
 
 def step_at(context, owner, leg, frame):
@@ -81,7 +128,7 @@ def space(context, owner):
 
 
 class Edit:
-    """A change of one step of a walker: move(), turn() and lock() write it into the settings, restore() takes all of it back.
+    """A change of one step of a walker: move(), turn(), time() and lock() write it into the settings, restore() takes all of it back.
 
     owner: original object that walks. step: Step of its plan. The entry of the step is added when the step is first changed.
     """
@@ -90,7 +137,7 @@ class Edit:
         self._owner, self._step = owner, step
         self._pose = _pose(context, owner, step.middle)
         self._up = Vector(axes.vector(owner.motus.walker.up_axis))
-        self._frame = step.middle * scene_time.fps(context.scene)
+        self._frame = step.planned * scene_time.fps(context.scene)
         self._before = _values(owner.motus.walker.steps[step.entry]) if step.entry >= 0 else None
         self._offset = Vector(self._before["offset"]) if self._before else Vector()
         self._index = step.entry
@@ -123,6 +170,12 @@ class Edit:
         """Turn the sole of the foot about the ground's normal, by an angle from where it is planned: rad, counter-clockwise from above."""
         self._entry.turn = angle
 
+    def time(self, name, frame):
+        """Have the foot touch the ground on a frame (name "touch"), or stand until a frame (name "lift"); the frame is in the keys' time."""
+        entry = self._entry
+        setattr(entry, name, frame)
+        setattr(entry, f"use_{name}", True)
+
     def lock(self):
         """Have the foot stand where it stands now, whatever body and ground do."""
         entry = self._entry
@@ -151,7 +204,7 @@ class Edit:
 
 
 def _values(entry):
-    return {name: _plain(getattr(entry, name)) for name in ("offset", "turn", "is_locked", "place", "rotation")}
+    return {name: _plain(getattr(entry, name)) for name in CHANGED}
 
 
 def _plain(value):

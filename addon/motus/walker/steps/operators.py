@@ -1,4 +1,7 @@
-"""Operators motus.walker_step, which drags, turns and locks a step, and motus.walker_step_remove, which lets it be planned again."""
+"""Operators that change a step: motus.walker_step drags, turns and locks it, motus.walker_step_time sets when it is.
+
+motus.walker_step_remove lets it be planned again, and motus.walker_prints adds footprints.
+"""
 
 import math
 
@@ -8,14 +11,23 @@ from mathutils import Vector
 from ...core.interface.dragging.drag import PointDrag
 from ...core.interface.operators import OBJECT_OR_POSE_MODE, OfAnObject, object_keyword
 from ...core.interface.rows import Row, Rows, is_given
+from ...core.interface.view.viewports import view_at
 from ...core.measures import scene_time
 from ...core.refusals import Refused, check_finite
 from ...core.translations import tr
 from .. import legs, targets
-from . import chosen, handles, prints
+from . import chart, chosen, handles, prints
 
 CHANGES = "location", "turn", "lock"
 """Keywords that say what is changed of a step."""
+
+
+def _named_step(context, owner, operator):
+    """The chosen.Step that an operator's keywords name: by index, or by foot and frame. Raises Refused if there is none."""
+    if operator.is_given("index"):
+        return chosen.step_of_entry(context, owner, operator.index)
+    frame = scene_time.keys_time(context.scene, operator.frame) if operator.is_given("frame") else scene_time.present(context.scene)
+    return chosen.step_at(context, owner, chosen.leg_named(owner, operator.foot), frame)
 
 
 class Held:
@@ -54,6 +66,9 @@ class MOTUS_OT_walker_step(PointDrag, OfAnObject, bpy.types.Operator):
         description="Frame on which the foot stands, or swings to its foothold; the present one if it is not given",
         options={'SKIP_SAVE'},
     )
+    index: bpy.props.IntProperty(
+        name="Index", description="Index of the step among the changed ones, in place of foot and frame", default=-1, options={'SKIP_SAVE'}
+    )
     location: bpy.props.FloatVectorProperty(
         name="Location",
         description="Place in the world that the foot is dragged to; the ground there is what it stands on, unless the step is locked",
@@ -76,7 +91,7 @@ class MOTUS_OT_walker_step(PointDrag, OfAnObject, bpy.types.Operator):
     modes = OBJECT_OR_POSE_MODE
     needs_native = True
     redo = (Rows(tuple(Row(name, when=is_given(name)) for name in CHANGES)),)
-    for_scripts = ("frame",)
+    for_scripts = ("frame", "index")
     found = staticmethod(targets.editable_walker)
 
     def run(self, context):
@@ -85,8 +100,7 @@ class MOTUS_OT_walker_step(PointDrag, OfAnObject, bpy.types.Operator):
             raise Refused(tr("Say what to change of the step: location, turn or lock is missing"))
         check_finite(self, ("frame", "location", "turn"))
         context.view_layer.update()
-        frame = scene_time.keys_time(context.scene, self.frame) if self.is_given("frame") else scene_time.present(context.scene)
-        edit = chosen.Edit(context, owner, chosen.step_at(context, owner, chosen.leg_named(owner, self.foot), frame))
+        edit = chosen.Edit(context, owner, _named_step(context, owner, self))
         if self.is_given("lock"):
             (edit.lock if self.lock else edit.unlock)()
         if self.is_given("location"):
@@ -125,6 +139,97 @@ class MOTUS_OT_walker_step(PointDrag, OfAnObject, bpy.types.Operator):
             self.turn = self._held.turn
         else:
             self.location = place
+
+
+class MOTUS_OT_walker_step_time(OfAnObject, bpy.types.Operator):
+    bl_idname = "motus.walker_step_time"
+    bl_label = "Time Step"
+    bl_description = "Set when a foot of a walker touches the ground, and until when it stands; its steps before and after make room"
+
+    object: object_keyword("Name of the body that walks; empty takes the active object")
+    foot: bpy.props.StringProperty(name="Foot", description="Name of the foot: its bone, or its object", options={'SKIP_SAVE'})
+    frame: bpy.props.FloatProperty(
+        name="Frame",
+        description="Frame on which the foot stands, or swings to its foothold; the present one if it is not given",
+        options={'SKIP_SAVE'},
+    )
+    index: bpy.props.IntProperty(
+        name="Index", description="Index of the step among the changed ones, in place of foot and frame", default=-1, options={'SKIP_SAVE'}
+    )
+    touch: bpy.props.FloatProperty(name="Touchdown", description="Frame on which the foot touches the ground", options={'SKIP_SAVE'})
+    lift: bpy.props.FloatProperty(name="Lift-Off", description="Frame until which the foot stands", options={'SKIP_SAVE'})
+    modes = OBJECT_OR_POSE_MODE
+    needs_native = True
+    redo = (Rows(tuple(Row(name, when=is_given(name)) for name in chart.MOMENTS)),)
+    for_scripts = ("frame", "index")
+    found = staticmethod(targets.editable_walker)
+
+    def run(self, context):
+        owner = self.found(context, self.object)
+        given = self.given(chart.MOMENTS)
+        if not given:
+            raise Refused(tr("Say when the step is: touch or lift is missing"))
+        check_finite(self, ("frame", *chart.MOMENTS))
+        context.view_layer.update()
+        edit = chosen.Edit(context, owner, _named_step(context, owner, self))
+        for name, frame in given.items():
+            edit.time(name, scene_time.keys_time(context.scene, frame))
+
+    def invoke(self, context, event):
+        if context.window is None or self.given(chart.MOMENTS):
+            return self.execute(context)
+        try:
+            return self._begin(context, event)
+        except Refused as refusal:
+            return self.refuse(refusal)
+
+    def _begin(self, context, event):
+        owner = self.found(context, self.object)
+        self._view = view_at(context.window, event.mouse_x, event.mouse_y)
+        drawn = self._view and chart.Chart.of(context, owner, self._view.region)
+        self._end = drawn and drawn.pick((event.mouse_x - self._view.region.x, event.mouse_y - self._view.region.y))
+        if not self._end:
+            raise Refused(tr("Drag an end of a bar in the chart of steps, which the panel Steps shows in the viewport"))
+        step = self._end.step
+        self.object, self.foot = owner.name, legs.label(owner.motus.walker.legs[step.leg])
+        self.frame = scene_time.time_line(context.scene, step.planned * scene_time.fps(context.scene))
+        self._edit, self._chart, self._pressed = chosen.Edit(context, owner, step), drawn, event.mouse_x
+        context.workspace.status_text_set(tr("Whole frames; Shift is precise; Esc or the right button cancels"))
+        context.window_manager.modal_handler_add(self)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        try:
+            if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
+                self.cancel(context)
+                return {'CANCELLED'}
+            if event.type == 'LEFTMOUSE' and event.value == 'RELEASE':
+                self._hide(context)
+                return {'FINISHED'} if self.given(chart.MOMENTS) else {'CANCELLED'}
+            if event.type == 'MOUSEMOVE':
+                self._follow(context, event)
+        except ReferenceError:
+            # A script has removed the walker, or its step.
+            self._hide(context)
+            self.report({'ERROR'}, tr("The object that was pulled is gone"))
+            return {'CANCELLED'}
+        return {'RUNNING_MODAL'}
+
+    def cancel(self, context):
+        self._hide(context)
+        self._edit.restore()
+
+    def _follow(self, context, event):
+        seconds = self._end.seconds + self._chart.seconds(event.mouse_x - self._pressed)
+        frame = scene_time.time_line(context.scene, seconds * scene_time.fps(context.scene))
+        frame = frame if event.shift else round(frame)
+        setattr(self, self._end.moment, frame)
+        self._edit.time(self._end.moment, scene_time.keys_time(context.scene, frame))
+        self._view.tell(tr("{foot}, frame {frame}").format(foot=self.foot, frame=f"{frame:g}"))
+
+    def _hide(self, context):
+        context.workspace.status_text_set(None)
+        self._view.tell(None)
 
 
 class MOTUS_OT_walker_step_remove(OfAnObject, bpy.types.Operator):
@@ -180,4 +285,4 @@ class MOTUS_OT_walker_prints(OfAnObject, bpy.types.Operator):
         self.report({'INFO'}, tr("{object} added").format(object=made.name))
 
 
-classes = (MOTUS_OT_walker_step, MOTUS_OT_walker_step_remove, MOTUS_OT_walker_prints)
+classes = (MOTUS_OT_walker_step, MOTUS_OT_walker_step_time, MOTUS_OT_walker_step_remove, MOTUS_OT_walker_prints)

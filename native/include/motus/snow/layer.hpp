@@ -49,14 +49,25 @@ class SnowLayer {
 
     [[nodiscard]] std::size_t vertex_count() const noexcept { return vertex_count_; }
 
+    /// A vertex of the triangles on which snow can lie, and the unit vector along which it lies there.
+    struct Column {
+        std::uint32_t vertex = 0;
+        glm::vec3 foot{0.0F};
+        glm::vec3 up{0.0F};
+    };
+    /// Of each vertex that triangles with an area are around.
+    [[nodiscard]] std::vector<Column> columns() const;
+
     /// `depths`, m: how deep the snow is on each vertex, across the surface. From one vertex to the next its
     /// depth differs by no more than the fraction `steepest`, > 0, of the way between them: what would be
     /// higher lies on what is lower beside it, so that the volume stays, but for heaps so wide that it would
     /// go on for too long. From the line at which snow ends it rises in a slope that is rounded above, some
-    /// edges wide: what is too much there lies farther from the line, and is gone where that is too far. Snow
-    /// that is not deeper than `thinnest`, >= 0, m, is hidden. Throws std::invalid_argument where there is
-    /// not a finite depth for each vertex, or another number is outside its domain.
-    [[nodiscard]] Mesh at(std::span<const float> depths, float thinnest, float steepest) const;
+    /// edges wide: what is too much there lies farther from the line, and is gone where that is too far.
+    /// `left`, >= 0: how much of that depth is left on each vertex; empty where it is all. Snow that is not
+    /// deeper than `thinnest`, >= 0, m, is hidden. Throws std::invalid_argument where there is not a finite
+    /// depth for each vertex, or another number is outside its domain.
+    [[nodiscard]] Mesh at(std::span<const float> depths, float thinnest, float steepest,
+                          std::span<const float> left = {}) const;
 
   private:
     struct Loose {

@@ -52,6 +52,7 @@ struct Footstep {
     double pushing = 0.0, striking = 0.0;  ///< s before `lift`, and after `touch`, for which the sole rolls
     double middle = 0.0;  ///< s, of the stand, or of its first cycle while the body rests; in its stretch
     std::optional<std::size_t> chosen{};  ///< index of the ChosenStep that `end` and `end_turn` follow
+    double planned = 0.0;  ///< s, `middle` if no step were timed: the time by which a ChosenStep is this one
 
     /// Fraction of the swing at a time: 0 before the foot lifts, 1 from the touch on.
     [[nodiscard]] double through(double time) const {
@@ -64,11 +65,13 @@ struct Footstep {
     }
 };
 
-/// Why a foothold cannot be used.
+/// Why a foothold cannot be used, or not when it is wanted.
 enum class Trouble {
     no_ground,     ///< within reach above and below, or around an edge: the foot is on its rest place
     out_of_reach,  ///< too far from the hip, as are all places nearer to the hip
     no_length,     ///< the leg has no length
+    no_touch,      ///< the foot cannot touch down when a ChosenStep says
+    no_lift,       ///< the foot cannot lift when a ChosenStep says
 };
 
 struct Problem {

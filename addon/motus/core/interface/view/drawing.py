@@ -68,6 +68,12 @@ def discs(points, radii, colors, corners=16):
     triangles(places, np.repeat(colors, corners, axis=0), indices)
 
 
+def rectangle(low, high, color):
+    """Draw a filled rectangle between two corners, (x, y) in pixels. color: (r, g, b, a)."""
+    points = [low, (high[0], low[1]), high, (low[0], high[1])]
+    triangles(points, [color] * 4, [(0, 1, 2), (0, 2, 3)])
+
+
 def dots(points, colors, size):
     """Draw squares around points (n, 2), in pixels. colors: (n, 4). size: side of a square in pixels."""
     half = size / 2.0

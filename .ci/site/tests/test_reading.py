@@ -1,0 +1,44 @@
+"""The site in Chromium, as readers see it: on a phone, a tablet and a desk, by day and by night."""
+
+import reader
+
+WIDTHS = (390, 820, 1440)
+"""Pixels of a phone, a tablet and a window on a desk."""
+THEMES = ("default", "slate")
+RULES = ("color-contrast", "heading-order", "image-alt", "link-name", "button-name", "label", "document-title", "html-has-lang", "duplicate-id-aria")
+"""Of axe-core, the checks of which a reader with poor sight or without a mouse would miss the most."""
+
+
+def test_pages_fit_and_say_nothing(browser):
+    """No page is wider than its window or complains, at no width and in neither theme; nothing is asked of a network."""
+    wrong = []
+    with reader.Window(browser, viewport={"width": WIDTHS[-1], "height": 900}) as window:
+        for address in reader.pages():
+            page = window.open(address)
+            for width in WIDTHS:
+                page.set_viewport_size({"width": width, "height": 900})
+                for theme in THEMES:
+                    page.evaluate("theme => document.body.setAttribute('data-md-color-scheme', theme)", theme)
+                    wide = page.evaluate("document.documentElement.scrollWidth - window.innerWidth")
+                    if wide > 0:
+                        wrong.append(f"{address} is {wide} pixels wider than {width} ({theme})")
+            wrong += [f"{address}: {complaint}" for complaint in window.complaints]
+            wrong += [f"{address} asks for {asked}" for asked in window.asked if not asked.startswith(("file:", "data:", "blob:"))]
+    assert not wrong, "\n".join(wrong)
+
+
+def test_pages_can_be_read_by_everyone(browser):
+    """Contrast, texts of pictures, order of headings, names of links and buttons."""
+    from axe_playwright_python.sync_playwright import Axe
+
+    axe, wrong = Axe(), []
+    options = {"runOnly": {"type": "rule", "values": list(RULES)}, "resultTypes": ["violations"]}
+    with reader.Window(browser, viewport={"width": WIDTHS[-1], "height": 900}, reduced_motion="reduce") as window:
+        for address in reader.pages():
+            page = window.open(address)
+            for theme in THEMES:
+                page.evaluate("theme => document.body.setAttribute('data-md-color-scheme', theme)", theme)
+                for fault in axe.run(page, options=options).response["violations"]:
+                    nodes = fault["nodes"]
+                    wrong.append(f"{address} ({theme}): {fault['id']}, {len(nodes)} times: {nodes[0]['html'][:200]} {nodes[0].get('failureSummary', '')[:200]}")
+    assert not wrong, "\n".join(wrong)
