@@ -273,10 +273,12 @@ const MotusFigures = (() => {
       }
       this.inputs[name] = (value) => {
         input.value = value;
-        shown.textContent = choices ? "" : `${number(value, digits)}${unit && ` ${unit}`}`;
+        if (choices) return;
+        shown.textContent = `${number(value, digits)}${unit && ` ${unit}`}`;
         input.setAttribute("aria-valuetext", shown.textContent);
       };
-      const row = html("div", { className: "row" }, html("label", {}, html("span", {}, say(label)), input, shown));
+      const parts = choices ? [input] : [input, shown];
+      const row = html("div", { className: "row" }, html("label", {}, html("span", {}, say(label)), ...parts));
       if (plays) row.append(this.player(name, from, to));
       return row;
     }

@@ -44,11 +44,11 @@
   MotusFigures.add("key", {
     height: (width) => Math.round(width < 560 ? width + 50 : (width - 40) / 4.5 + 36),
     controls: {
-      picked: { label: ["Screen Color", "Color del fondo"], choices: [["Found", "Hallado"], ["Under the handle", "Bajo el asa"]], value: 0 },
+      picked: { label: ["Screen Color", "Color de pantalla"], choices: [["Found", "Hallado"], ["Under the handle", "Bajo el asa"]], value: 0 },
       balance: { label: ["Balance", "Equilibrio"], from: 0, to: 1, step: 0.01, value: 0.5 },
       gain: { label: ["Gain", "Ganancia"], from: 0, to: 3, step: 0.02, value: 1.2 },
     },
-    handles: { place: { label: ["Place of the screen's colour", "Lugar del color del fondo"], value: [0.9, 0.9] } },
+    handles: { place: { label: ["Place of the screen's colour", "Lugar del color de la pantalla"], value: [0.9, 0.9] } },
     changed(values, name, figure) {
       if (name === "place") figure.set({ picked: 1 });
     },
@@ -61,7 +61,7 @@
       const boxes = isNarrow
         ? [[8, 8, width, height], [8, height + 36, half, (half * high) / wide], [20 + half, height + 36, half, (half * high) / wide]]
         : [0, 1, 2].map((i) => [8 + i * (width + 12), 8, width, height]);
-      const names = [["frame", "fotograma"], ["matte", "máscara"], ["over blue", "sobre azul"]];
+      const names = [["frame", "fotograma"], ["matte", "mate"], ["over blue", "sobre azul"]];
       const [shown, matted, laid] = boxes.map((box, i) => figure.panel({ box, x: [0, 1], y: [0, 1], marks: false, names: [names[i], ""] }));
       const show = (panel, color) => panel.image(address(color), [0, 0], [1, 1]);
       show(shown, (i) => [...pixel(i)]);
@@ -77,7 +77,7 @@
       const rgb = color.map((one) => number(one)).join(" ");
       return [
         `Screen colour ${rgb} · the matte is clear up to ${number(black)} and opaque from ${number(white)} on`,
-        `Color del fondo ${rgb} · la máscara es transparente hasta ${number(black)} y opaca desde ${number(white)}`,
+        `Color de pantalla ${rgb} · el mate es transparente hasta ${number(black)} y opaco desde ${number(white)}`,
       ];
     },
   });
