@@ -60,14 +60,18 @@ def keyed_picture():
 
 
 def calls():
-    """(function, arguments, what the native module says, relative error): all functions that the figures call."""
+    """(function, arguments, what the native module says, relative error): all functions that the figures call.
+
+    With Debian 12's C library all are the same to the bit but angles of the limited chain, which its acos rounds otherwise than WebAssembly's,
+    and births, of which the module shows ages in single precision alone.
+    """
     numbers = random()
     points = np.array([(-5, -1.6, 0), (-3.4, 3.4, 0), (1.2, -4, 0), (5, 1.8, 0)], float)
     curve, shares, times = motus.Bezier(points), np.linspace(0, 1, 7), np.linspace(0, 4, 6)
     places = np.ravel(curve.position_at_length(shares * curve.length()))
     yield "bezier_length", (points,), [curve.length()], 1e-12
     yield "bezier_places", (points, shares), places, 1e-12
-    yield "bezier_ride", (points, times, 4.0, 0.3, 0.2, 1.0), list(ride(points, times, 0.3, 0.2, 1.0)), 1e-9
+    yield "bezier_ride", (points, times, 4.0, 0.3, 0.2, 1.0), list(ride(points, times, 0.3, 0.2, 1.0)), 1e-12
 
     for damping in (0.0, 0.35, 1.0, 1.8):
         moments = numbers.uniform(-0.2, 3.0, 6)
@@ -138,12 +142,11 @@ class Sources(unittest.TestCase):
             lines = (figure_files.SOURCES / f"{name}.js").read_text(encoding="utf-8").splitlines()
             self.assertLess(len(lines), 150, name)
 
-    def test_each_figure_has_both_languages(self):
-        """What is named `label` stands there twice."""
+    def test_each_label_is_there_in_both_languages(self):
         for name in NAMES:
             text = (figure_files.SOURCES / f"{name}.js").read_text(encoding="utf-8")
-            for label in re.findall(r"label: *(\[[^\]]*\]|\S+)", text):
-                self.assertRegex(label, r'^\["[^"]+", "[^"]+"\]$|^label\(i\)$|^$', f"{name}: {label}")
+            for label in re.findall(r"label: *(\[[^\]]*\])", text):
+                self.assertEqual(len(json.loads(label)), 2, f"{name}: {label}")
 
 
 @unittest.skipUnless(chromium.PROGRAM, "no Chromium here")
@@ -209,7 +212,7 @@ class Browser(unittest.TestCase):
                     told = self.browser.run("[...document.querySelectorAll('.told')].map((one) => one.textContent)")
                     self.assertEqual(len(told), len(NAMES))
                     for name, text in zip(NAMES, told):
-                        self.assertRegex(text, r"\d", f"{name}: {text}")
+                        self.assertRegex(text, r"\d|objetivo|target", f"{name}: {text}")
                         self.assertNotRegex(text, "NaN|undefined", name)
                     drawn = self.browser.run("document.body.innerHTML")
                     self.assertNotIn("NaN", drawn)
@@ -244,10 +247,8 @@ class Browser(unittest.TestCase):
             with self.subTest(name):
                 self.open(name)
                 before = self.told(), self.browser.run("document.querySelector('svg').innerHTML")
-                self.browser.run(
-                    "document.querySelectorAll('input').forEach((one) => { one.value = one.max; one.dispatchEvent(new Event('input')); })"
-                )
-                self.browser.run("[...document.querySelectorAll('button')].at(-1).click()")
+                self.browser.run("document.querySelectorAll('input').forEach((one) => { one.value = one.max; one.dispatchEvent(new Event('input')); })")
+                self.browser.run("[...document.querySelectorAll('.said button')].at(-1).click()")
                 self.assertEqual((self.told(), self.browser.run("document.querySelector('svg').innerHTML")), before)
 
     def test_without_webassembly_the_still_stays(self):

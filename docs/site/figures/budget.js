@@ -2,7 +2,7 @@
 "use strict";
 
 MotusFigures.add("budget", {
-  height: 400,
+  height: 410,
   controls: {
     width: { label: ["Screen Width", "Ancho de pantalla"], from: 0.3, to: 20, step: 0.1, value: 12, unit: "m" },
     distance: { label: ["Viewer", "Espectador"], from: 0.4, to: 30, step: 0.1, value: 15, unit: "m" },
@@ -45,16 +45,18 @@ MotusFigures.add("budget", {
     scene.handle("far", ([x]) => [Math.max(x, near[0] + 0.5), 0]);
 
     const hall = figure.panel({
-      box: [46, 280, wide - 58, 62],
+      box: [46, 280, wide - 58, 78],
       x: [0, 3 * distance],
-      y: [-1, 1],
+      y: [-1, 1.9],
       names: [["where the viewer sees it, m", "donde lo ve el espectador, m"], ""],
       marks: false,
     });
     const at = (row) => Math.min(row[1], 3 * distance);
     hall.area([at(ends[0]), -0.55], [at(ends[1]), 0.55], ends.some((row) => row[3] === 2) ? "pale-wrong" : "pale-third");
-    hall.line([[distance, -0.9], [distance, 0.9]], "first");
-    hall.text([distance, -1], `${number(distance)} m`, { anchor: "middle", kind: "small", move: [0, 32] });
+    hall.line([[distance, -0.9], [distance, 1.8]], "first");
+    const where = number(distance);
+    hall.text([distance, 1.9], [`the screen, at ${where} m`, `la pantalla, a ${where} m`], { kind: "small", move: [6, 15] });
+    hall.text([0, 1.9], ["the viewer", "el espectador"], { kind: "small", move: [4, 15] });
     hall.dots([[0, 0]], "ink", 6);
     seen(range(near[0], far[0], 9)).forEach((row) => row[1] < 3 * distance && hall.dots([[row[1], 0]], row[3] ? "wrong" : "third", 4));
 

@@ -29,10 +29,10 @@
         const forces = core.call("pull_forces", count, places.map(Math.abs), radius, kind, factor);
         return [...places].map((x, i) => [x, forces[i] * pulled[1]]);
       };
-      names.forEach((_, kind) => kind !== falloff && panel.line(moved(kind, 321), "grid"));
+      names.forEach((_, kind) => kind !== falloff && panel.line(moved(kind, 161), "pale"));
       for (const side of [-radius, radius]) panel.line([[side, -0.2], [side, 2]], "dashed");
       panel.text([radius, 2], ["radius", "radio"], { anchor: "end", kind: "small", move: [-5, 15] });
-      panel.line(moved(falloff, 641), "first");
+      panel.line(moved(falloff, 321), "first");
       panel.dots(moved(falloff, 65), "ink", 2.5);
       panel.handle("pulled", ([, y]) => [0, y]);
       const [half] = core.call("pull_forces", 1, [radius / 2], radius, falloff, factor);

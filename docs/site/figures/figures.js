@@ -173,7 +173,7 @@ const MotusFigures = (() => {
 
     image(address, [x0, y0], [x1, y1]) {
       const [[x, bottom], [right, y]] = [this.place([x0, y0]), this.place([x1, y1])];
-      const given = { href: address, x, y, width: right - x, height: bottom - y, preserveAspectRatio: "none", class: "pixels" };
+      const given = { href: address, x, y, width: right - x, height: bottom - y, preserveAspectRatio: "none" };
       return svg("image", given, this.figure.drawing);
     }
 
@@ -253,15 +253,15 @@ const MotusFigures = (() => {
       this.handles = svg("g", {}, this.picture);
       this.told = html("output", { className: "told" });
       this.controls = html("div", { className: "controls" });
-      for (const [name, control] of Object.entries(definition.controls ?? {})) this.controls.append(...this.control(name, control));
-      this.controls.append(html("button", { type: "button", onclick: () => this.reset() }, say(["Reset", "Restablecer"])));
-      element.replaceChildren(this.picture, this.told, this.controls);
+      for (const [name, control] of Object.entries(definition.controls ?? {})) this.controls.append(this.control(name, control));
+      const reset = html("button", { type: "button", onclick: () => this.reset() }, say(["Reset", "Restablecer"]));
+      element.replaceChildren(this.picture, html("div", { className: "said" }, this.told, reset), this.controls);
       element.classList.add("moves");
       this.reset();
       new ResizeObserver(() => this.draw()).observe(this.picture);
     }
 
-    /** Elements of a slider, or of a choice between names. */
+    /** The row of a slider, or of a choice between names. */
     control(name, { label, choices, from, to, step, unit = "", digits = 2, plays = false }) {
       const shown = html("span", { className: "shown" });
       const change = (event) => this.change(name, Number(event.target.value));
@@ -273,19 +273,24 @@ const MotusFigures = (() => {
       }
       this.inputs[name] = (value) => {
         input.value = value;
-        shown.textContent = choices ? "" : `${number(value, digits)}${unit && ` ${unit}`}`;
+        if (choices) return;
+        shown.textContent = `${number(value, digits)}${unit && ` ${unit}`}`;
         input.setAttribute("aria-valuetext", shown.textContent);
       };
-      const found = [html("label", {}, html("span", {}, say(label)), input, shown)];
-      if (plays) found.push(this.player(name, from, to));
-      return found;
+      const parts = choices ? [input] : [input, shown];
+      const row = html("div", { className: "row" }, html("label", {}, html("span", {}, say(label)), ...parts));
+      if (plays) row.append(this.player(name, from, to));
+      return row;
     }
 
     /** A button that lets a slider run, one unit a second, from its start again when it is at its end. */
     player(name, from, to) {
       let last = null;
       const button = html("button", { type: "button" });
-      const show = () => (button.textContent = last === null ? say(["▶ Play", "▶ Reproducir"]) : say(["❚❚ Pause", "❚❚ Pausa"]));
+      const show = () => {
+        button.textContent = last === null ? "▶" : "❚❚";
+        button.ariaLabel = button.title = say(last === null ? ["Play", "Reproducir"] : ["Pause", "Pausa"]);
+      };
       const tick = (now) => {
         if (last === null || !this.element.isConnected) return;
         const next = this.values[name] + Math.max(now - last, 0) / 1000;

@@ -20,7 +20,7 @@
   MotusFigures.add("gait", {
     height: (width) => (width < 560 ? 420 : 260),
     controls: {
-      gait: { label: ["Gait", "Marcha"], choices: gaits, value: 6 },
+      gait: { label: ["Gait", "Paso"], choices: gaits, value: 6 },
       pairs: { label: ["Pairs of legs", "Pares de patas"], from: 1, to: 5, step: 1, value: 2 },
       cycle: { label: ["Cycle", "Ciclo"], from: 0, to: turns, step: 0.01, value: 0.6, plays: true },
       speed: { label: ["Speed", "Velocidad"], from: 0.1, to: 8, step: 0.1, value: 1.4, unit: "m/s" },

@@ -42,13 +42,13 @@
   const pixel = (i) => pixels.subarray(4 * i, 4 * i + 3);
 
   MotusFigures.add("key", {
-    height: (width) => (width < 560 ? Math.round(width * 1.42) : Math.round((width - 40) / 4.5) + 40),
+    height: (width) => Math.round(width < 560 ? width + 50 : (width - 40) / 4.5 + 36),
     controls: {
-      picked: { label: ["Screen Color", "Color del fondo"], choices: [["Found", "Hallado"], ["Under the handle", "Bajo el asa"]], value: 0 },
+      picked: { label: ["Screen Color", "Color de pantalla"], choices: [["Found", "Hallado"], ["Under the handle", "Bajo el asa"]], value: 0 },
       balance: { label: ["Balance", "Equilibrio"], from: 0, to: 1, step: 0.01, value: 0.5 },
-      gain: { label: ["Gain", "Ganancia"], from: 0, to: 3, step: 0.02, value: 1 },
+      gain: { label: ["Gain", "Ganancia"], from: 0, to: 3, step: 0.02, value: 1.2 },
     },
-    handles: { place: { label: ["Place of the screen's colour", "Lugar del color del fondo"], value: [0.9, 0.9] } },
+    handles: { place: { label: ["Place of the screen's colour", "Lugar del color de la pantalla"], value: [0.9, 0.9] } },
     changed(values, name, figure) {
       if (name === "place") figure.set({ picked: 1 });
     },
@@ -56,12 +56,12 @@
       const { number } = MotusFigures;
       const isNarrow = figure.width < 560;
       const width = isNarrow ? figure.width - 16 : (figure.width - 40) / 3;
-      const height = isNarrow ? (figure.height - 90) / 2 : figure.height - 40;
+      const height = (width * high) / wide;
       const half = (width - 12) / 2;
       const boxes = isNarrow
-        ? [[8, 8, width, height * 1.3], [8, height * 1.3 + 40, half, height * 0.65], [20 + half, height * 1.3 + 40, half, height * 0.65]]
+        ? [[8, 8, width, height], [8, height + 36, half, (half * high) / wide], [20 + half, height + 36, half, (half * high) / wide]]
         : [0, 1, 2].map((i) => [8 + i * (width + 12), 8, width, height]);
-      const names = [["frame", "fotograma"], ["matte", "máscara"], ["over blue", "sobre azul"]];
+      const names = [["frame", "fotograma"], ["matte", "mate"], ["over blue", "sobre azul"]];
       const [shown, matted, laid] = boxes.map((box, i) => figure.panel({ box, x: [0, 1], y: [0, 1], marks: false, names: [names[i], ""] }));
       const show = (panel, color) => panel.image(address(color), [0, 0], [1, 1]);
       show(shown, (i) => [...pixel(i)]);
@@ -77,7 +77,7 @@
       const rgb = color.map((one) => number(one)).join(" ");
       return [
         `Screen colour ${rgb} · the matte is clear up to ${number(black)} and opaque from ${number(white)} on`,
-        `Color del fondo ${rgb} · la máscara es transparente hasta ${number(black)} y opaca desde ${number(white)}`,
+        `Color de pantalla ${rgb} · el mate es transparente hasta ${number(black)} y opaco desde ${number(white)}`,
       ];
     },
   });

@@ -32,7 +32,8 @@
       const { time, mass, length, upper, lower } = values;
       figure.was = upper;
       const start = [angle(upper), angle([lower[0] - upper[0], lower[1] - upper[1]])];
-      const panel = figure.panel({ box: [8, 8, figure.width - 16, figure.height - 16], x: [-2.5, 2.5], y: [-2.5, 2.5], equal: true, marks: false });
+      const far = length + 1.15;
+      const panel = figure.panel({ box: [8, 8, figure.width - 16, figure.height - 16], x: [-far, far], y: [-far, far], equal: true, marks: false });
       const states = (times, first) => rows(core.call("double_pendulum", 4 * times.length, times, first, start[1], mass, length), 4);
       const drawn = ([theta1, theta2]) => hung(theta1, theta2, length);
 

@@ -4,12 +4,12 @@
 MotusFigures.add("reach", {
   height: 360,
   controls: {
-    least: { label: ["Least bend", "Flexión mínima"], from: 0, to: 150, step: 1, value: 20, unit: "°" },
-    most: { label: ["Most bend", "Flexión máxima"], from: 0, to: 150, step: 1, value: 110, unit: "°" },
+    least: { label: ["Least bend", "Flexión mínima"], from: 0, to: 150, step: 1, value: 15, unit: "°" },
+    most: { label: ["Most bend", "Flexión máxima"], from: 0, to: 150, step: 1, value: 95, unit: "°" },
     lower: { label: ["Lower bone", "Hueso inferior"], from: 0.4, to: 1.4, step: 0.02, value: 1, unit: "m" },
     softness: { label: ["Softness", "Suavidad"], from: 0, to: 0.6, step: 0.01, value: 0.1, unit: "m" },
   },
-  handles: { target: { label: ["Target", "Objetivo"], value: [1.5, 0.9] } },
+  handles: { target: { label: ["Target", "Objetivo"], value: [0.75, 0.7] } },
   changed(values, name, figure) {
     if (name === "least") figure.set({ most: Math.max(values.least, values.most) });
     if (name === "most") figure.set({ least: Math.min(values.least, values.most) });
