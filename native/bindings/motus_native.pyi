@@ -1058,18 +1058,19 @@ class Walker:
     sole.  heel, toe, >= 0: how far behind and ahead of a foot's place its sole rolls.  strike, push, rad, [0, pi/2]: how much the toe
     is up when a heel touches down, and the heel when a toe lifts; less in steps shorter than the stride, the other way round in
     steps that go backwards.
-    chosen: footholds that are chosen by hand, tuples (leg, time, offset, turn, fixed): of the stand of a leg at a time, s, or of the
+    chosen: footholds that are chosen by hand, tuples (leg, time, offset, turn, fixed, touch, until): of the stand of a leg at a time, s, or of the
     swing before it, the rest place below which ground is looked for is moved by offset (3,), in the body's space, and the sole is
     turned by turn, rad, about the ground's normal, counter-clockwise from above. fixed: None, or (place (3,), rotation (4,)), w, x,
-    y, z, of the foot with its flat sole, which stands there whatever body and ground do. Such footholds are never replaced by nearer
-    ones; of several for one stand the last one counts.
+    y, z, of the foot with its flat sole, which stands there whatever body and ground do. touch, until: s, when the foot touches down
+    and when it lifts again, or None; the leg's steps before and after make room. Such footholds are never replaced by nearer ones; of
+    several for one stand the last one counts. time is as steps has it in 'planned', without any touch and until.
     changes: of the gait over time, tuples (sample, phases (n,), duty) in the order of samples: from there on legs go over to this gait
     within `transition` cycles, [1, 1000], each by half a cycle at most, while feet that stand stay.  strides, cadences, duties (k,) or
     None: at the samples, in place of stride, cadence, and the duty of all gaits. A step has the stride and the duty of when it lifts.
     hip_height, [0, 1e6]: above 0 feet stand for the duty's share of walker_natural_stride() at the body's speed, in place of stride.
     Raises ValueError or TypeError that names the argument, also if more than 1,000,000 steps would be planned.
     """
-    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), ankle: float = 0.0, heel: float = 0.0, toe: float = 0.0, strike: float = 0.0, push: float = 0.0, chosen: typing.Sequence[tuple[int, float, numpy.typing.ArrayLike, float, tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None]] | None = None, changes: typing.Sequence[tuple[int, numpy.typing.ArrayLike, float]] | None = None, transition: float = 1.0, strides: numpy.typing.ArrayLike | None = None, cadences: numpy.typing.ArrayLike | None = None, duties: numpy.typing.ArrayLike | None = None, hip_height: float = 0.0) -> None:
+    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), ankle: float = 0.0, heel: float = 0.0, toe: float = 0.0, strike: float = 0.0, push: float = 0.0, chosen: typing.Sequence[tuple[int, float, numpy.typing.ArrayLike, float, tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None, float | None, float | None]] | None = None, changes: typing.Sequence[tuple[int, numpy.typing.ArrayLike, float]] | None = None, transition: float = 1.0, strides: numpy.typing.ArrayLike | None = None, cadences: numpy.typing.ArrayLike | None = None, duties: numpy.typing.ArrayLike | None = None, hip_height: float = 0.0) -> None:
         ...
     def body(self, times: numpy.typing.ArrayLike) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         """
@@ -1111,7 +1112,8 @@ class Walker:
     def problems(self) -> list[tuple[int, float, float, str]]:
         """
         Problems with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
-        foot stands on its rest place, 'out_of_reach' of the hip, and 'no_length' of a leg.
+        foot stands on its rest place, 'out_of_reach' of the hip, 'no_length' of a leg, and 'no_touch' and 'no_lift' if a foot cannot touch
+        down or lift when `chosen` says.
         """
     @property
     def settled(self) -> float:
@@ -1123,7 +1125,7 @@ class Walker:
         """
         All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
         foot is half-way; middle (s,), s, of the stand; turn (s, 4), w, x, y, z, of the flat sole on `end`; chosen (s,) int32: which of
-        `chosen` it follows, -1 for none. If lift equals touch the foot is put there at once: at the first sample and at jumps.
+        `chosen` it follows, -1 for none; planned (s,), s: `middle` if none had a touch or until. If lift equals touch the foot is put there at once: at the first sample and at jumps.
         """
 class StrandSurface:
     """

@@ -100,7 +100,7 @@ def _draw_moments(row, context, owner, index, planned):
         part = row.row(align=True)
         if getattr(step, f"use_{name}"):
             part.prop(step, name)
-            part.prop(step, f"use_{name}", text="", icon='X', toggle=True)
+            part.prop(step, f"use_{name}", text="", icon='X', toggle=True, invert_checkbox=True)
             continue
         seconds = getattr(planned, name, math.inf)
         part.enabled = math.isfinite(seconds)
