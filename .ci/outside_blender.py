@@ -2,6 +2,7 @@
 
 import sys
 
+import bytecode
 import pytest
 
 
@@ -42,7 +43,8 @@ class Choice:
 def main(folder, *patterns):
     """Returns the exit status. What is slower than two seconds, failed or skipped is listed."""
     options = ("--quiet", "-rfEs", "--durations=10", "--durations-min=2", "-p", "no:cacheprovider")
-    return pytest.main([*options, folder], plugins=[Choice(patterns)])
+    with bytecode.kept_for_children():
+        return pytest.main([*options, folder], plugins=[Choice(patterns)])
 
 
 if __name__ == "__main__":
