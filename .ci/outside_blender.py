@@ -2,8 +2,9 @@
 
 import sys
 
-import bytecode
 import pytest
+
+import bytecode
 
 
 class Choice:
