@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'above_floor', 'are_below', 'blink', 'blinks', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'saccades', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'spherical_pendulum', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'walker_natural_stride', 'wave', 'weld', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'SnowMarks', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'above_floor', 'are_below', 'blink', 'blinks', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'saccades', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'spherical_pendulum', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'walker_natural_stride', 'wave', 'weld', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -985,20 +985,53 @@ class SnowLayer:
     """
     def __init__(self, layer_positions: numpy.typing.ArrayLike, layer_triangles: numpy.typing.ArrayLike, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), shelter: SnowCollider = None, repose: float | None = None) -> None:
         ...
-    def mesh(self, depths: numpy.typing.ArrayLike, thinnest: float = 0.0, steepest: float | None = None) -> dict[str, numpy.typing.NDArray[typing.Any]]:
+    def mesh(self, depths: numpy.typing.ArrayLike, thinnest: float = 0.0, steepest: float | None = None, left: numpy.typing.ArrayLike | None = None) -> dict[str, numpy.typing.NDArray[typing.Any]]:
         """
         The layer, as a dict: float32 position (n, 3) and depth (n,); int32 triangle (m, 3), edge (e, 2), which are all sides of the
         triangles, each once, and side (m, 3), the edges that leave each triangle's corners.
         
         depths (v,), m, across the surface.  thinnest, >= 0, m: snow that is not deeper is left out: the layer is cut along the
         line where it is that thin.  steepest, > 0: from vertex to vertex depths differ by no more than this fraction of the way between them; what
-        would be higher has fallen off. At loose edges walls close the layer.
+        would be higher has fallen off.  left (v,), >= 0, None: 1: how much of that depth is left. At loose edges walls close the layer.
         Raises ValueError or TypeError that names the argument.
         """
     @property
     def vertex_count(self) -> int:
         """
         How many vertices the triangles have.
+        """
+class SnowMarks:
+    """
+    Marks that movers leave in lying snow: how much of it they have pressed or swept away, at any time. Immutable.
+    
+    With the height H(t) that has fallen on a vertex, and the clearance c(s) beneath the movers, the depth there is
+    H(t) - max(0, max over s <= t of H(s) - c(s)).
+    layer: a SnowLayer.  movers: (SnowCollider in its own space, its triangles' normals outwards; times (k,), rising; matrices
+    (k, 4, 4) to world space, between which it goes evenly) each.  times (n,), rising: the stretch of time is from the first to
+    the last; marks of several stretches add up by their maximum.  heights (n, v), m, >= 0: of the snow on each vertex of the layer.
+    packed, m, >= 0: depth of the snow that stays under what presses.  step, m, > 0: a mover goes no farther from look to look, of
+    which there are 64 at most from one of its times to the next.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, layer: SnowLayer, movers: typing.Sequence[tuple[SnowCollider, numpy.typing.ArrayLike, numpy.typing.ArrayLike]], times: numpy.typing.ArrayLike, heights: numpy.typing.ArrayLike, *, packed: float = 0.0, step: float = 0.05) -> None:
+        ...
+    def pressed(self, time: float, depths: numpy.typing.ArrayLike, shares: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float32]:
+        """
+        (v,) float32: how much snow was pressed away on each vertex until `time`, m.
+        
+        depths (v,): heights at that time.  shares (v,), None: 1: of the heights that lie there, at all times; what is pressed away is
+        as much of the whole height.
+        Raises ValueError or TypeError that names the argument.
+        """
+    @property
+    def marked_count(self) -> int:
+        """
+        How many of them something has pressed on.
+        """
+    @property
+    def vertex_count(self) -> int:
+        """
+        How many vertices the layer has.
         """
 class WalkerGround:
     """
