@@ -9,10 +9,10 @@ import unittest
 import zlib
 from pathlib import Path
 
-import motus_native as motus
 import numpy as np
 
 import chromium
+import motus_native as motus
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs" / "site"))
@@ -247,7 +247,9 @@ class Browser(unittest.TestCase):
             with self.subTest(name):
                 self.open(name)
                 before = self.told(), self.browser.run("document.querySelector('svg').innerHTML")
-                self.browser.run("document.querySelectorAll('input').forEach((one) => { one.value = one.max; one.dispatchEvent(new Event('input')); })")
+                self.browser.run(
+                    "document.querySelectorAll('input').forEach((one) => { one.value = one.max; one.dispatchEvent(new Event('input')); })"
+                )
                 self.browser.run("[...document.querySelectorAll('.said button')].at(-1).click()")
                 self.assertEqual((self.told(), self.browser.run("document.querySelector('svg').innerHTML")), before)
 

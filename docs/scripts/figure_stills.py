@@ -17,7 +17,9 @@ import figure_files  # noqa: E402
 WIDTH = 680
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><script src="figures/figures.js"></script>
 <div class="motus-figure" data-figure="{name}" style="width: {width}px"><img alt=""></div>"""
-READY = "new Promise((done) => { const look = () => document.documentElement.dataset.motusFigures ? done() : setTimeout(look, 20); look(); })"
+READY = (
+    "new Promise((done) => { const look = () => document.documentElement.dataset.motusFigures ? done() : setTimeout(look, 20); look(); })"
+)
 
 
 def style():
@@ -32,7 +34,9 @@ def still(browser, folder, name):
     page.write_text(PAGE.format(name=name, width=WIDTH), encoding="utf-8")
     browser.open(page.as_uri())
     browser.run(READY)
-    height, drawing = browser.run("(() => { const one = document.querySelector('svg'); return [one.getAttribute('height'), one.innerHTML]; })()")
+    height, drawing = browser.run(
+        "(() => { const one = document.querySelector('svg'); return [one.getAttribute('height'), one.innerHTML]; })()"
+    )
     drawing = re.sub(r' (?:tabindex|role|aria-\w+|data-value|style)="[^"]*"', "", drawing)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="motus-figure" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}">'
