@@ -35,6 +35,7 @@ official_needs=(
 )
 wine_needs=(wine64:/usr/lib/wine/wine64 maven:mvn)
 farm_needs=(slurm-wlm:/usr/sbin/slurmctld munge:/usr/sbin/munged)
+reader_needs=("chromium:chromium|chromium-browser|google-chrome")
 lint_needs=(clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck git:git "${module_needs[@]}")
 root_needs=(debootstrap:/usr/sbin/debootstrap)
 # What CMake's presets of other compilers and systems need beside build_needs: a compiler, and an emulator for what it makes.

@@ -4,6 +4,8 @@ import sys
 
 import pytest
 
+import bytecode
+
 
 class Choice:
     """A plugin of pytest: runs the tests whose id contains one of `patterns`, or all, and ends with the summary line that test.py reads."""
@@ -42,7 +44,8 @@ class Choice:
 def main(folder, *patterns):
     """Returns the exit status. What is slower than two seconds, failed or skipped is listed."""
     options = ("--quiet", "-rfEs", "--durations=10", "--durations-min=2", "-p", "no:cacheprovider")
-    return pytest.main([*options, folder], plugins=[Choice(patterns)])
+    with bytecode.kept_for_children():
+        return pytest.main([*options, folder], plugins=[Choice(patterns)])
 
 
 if __name__ == "__main__":

@@ -6,9 +6,9 @@ suite.py FOLDER [PATTERN...] does so in a Python that has no pytest; Blenders ca
 import faulthandler
 import os
 import sys
-import tempfile
 import unittest
 
+import bytecode
 import journal
 
 
@@ -86,10 +86,7 @@ def run_folder(folder, patterns=()):
     """
     faulthandler.enable()  # a process that a signal ends says which test it was in
     sys.dont_write_bytecode = True
-    with tempfile.TemporaryDirectory(prefix="motus-test-") as compiled:
-        # Nothing is written beside the sources; and what one process that a test starts has compiled serves the next: half of a start of Blender 3.4.
-        os.environ["PYTHONPYCACHEPREFIX"] = compiled
-        os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    with bytecode.kept_for_children():
         return _run(folder, patterns)
 
 

@@ -38,7 +38,13 @@ def spanish_pages():
 
 def pages():
     """Files of the manual."""
-    return [*sorted(DOCS.glob("*.md")), *sorted((DOCS / "cpp").glob("*.md")), *spanish_pages(), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
+    return [
+        *sorted(DOCS.glob("*.md")),
+        *sorted((DOCS / "cpp").glob("*.md")),
+        *spanish_pages(),
+        ROOT / "README.md",
+        ROOT / "CONTRIBUTING.md",
+    ]
 
 
 def without_code(text):

@@ -23,10 +23,18 @@ FILES = {"windows-x64": "motus_native.cp311-win_amd64.pyd", "linux-x64": "motus_
 
 
 class NativeStatus(unittest.TestCase):
-    def setUp(self):
+    folder: Path
+    """Where each test has a profile of its own, by the same path: what the first Blender has compiled of the add-on serves the next."""
+
+    @classmethod
+    def setUpClass(cls):
         folder = tempfile.TemporaryDirectory(prefix="motus-test-")
-        self.addCleanup(folder.cleanup)
-        self.profile = support.copy_profile(folder.name)
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+
+    def setUp(self):
+        self.profile = support.copy_profile(self.folder)
+        self.addCleanup(shutil.rmtree, self.profile)
         self.package = support.addon_folder(self.profile)
         self.native = support.addon("core.native")
         self.own = Path(self.native.module.__file__).name

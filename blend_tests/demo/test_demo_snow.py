@@ -27,3 +27,7 @@ class DemoSnow(support.SceneTestCase):
         scene.frame_set(193)
         self.assertAlmostEqual(near.motus.snow.rate, 420.0)
         self.assertEqual({entry.object for entry in cover.motus.snow_cover.emitters}, set(emitters))
+        (ball,) = (entry.object for entry in cover.motus.snow_cover.movers)
+        self.assertIn(ball, list(scene.objects))
+        work = support.addon("snow.cover.work")
+        self.assertEqual(len(work.asked(cover.name).marks.movers), 1)

@@ -50,7 +50,9 @@ class Pictures(StereoTestCase):
         image = bpy.data.images.load(str(path))
         image.colorspace_settings.name = 'Non-Color'
         width, height = image.size
-        pixels = np.array(image.pixels[:]).reshape(height, width, image.channels)[..., :3].astype(float)
+        pixels = np.empty(height * width * image.channels, np.float32)
+        image.pixels.foreach_get(pixels)
+        pixels = pixels.reshape(height, width, image.channels)[..., :3].astype(float)
         x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
         found = []
         for channel in range(3):
@@ -136,8 +138,10 @@ class Pictures(StereoTestCase):
             obj.rotation_euler = turned.to_euler()
         self.add(interocular=0.3, distance=2.5)
         render, stereo = bpy.context.scene.render, self.camera.data.stereo
-        for half, width in ((False, 720), (True, 360)):
-            render.resolution_x = width
+        # Of the picture what the squares can be in is rendered.
+        render.use_border, render.border_min_y, render.border_max_y = True, 0.45, 0.93
+        for half, width, left, right in ((False, 720, 0.33, 0.7), (True, 360, 0.16, 0.9)):
+            render.resolution_x, render.border_min_x, render.border_max_x = width, left, right
             bpy.ops.motus.stereo_output(object="Camera", format='PAIR', use_360=True, use_180=half)
             self.assertEqual(render.resolution_y, 360)
             for mode, convergence in (('OFFAXIS', 2.5), ('PARALLEL', math.inf)):

@@ -188,12 +188,10 @@ class StepsInTime(cases.WalkerTestCase):
         spider = self.walking()
         touch = round(frames_of(step_on(spider))[0])
         time_step(spider, touch=touch, lift=touch - 3)
-        self.assertEqual(
-            self.sentence(spider), f"{FOOT} cannot lift on frame {touch - 3}: its step has no room, or is the last one"
-        )
+        self.assertEqual(self.sentence(spider), f"{FOOT} cannot lift on frame {touch - 3}: its step has no room, or is the last one")
         entry = spider.motus.walker.steps[0]
         entry.use_lift, entry.touch = False, -200.0
-        self.assertEqual(self.sentence(spider), f"{FOOT} cannot touch down on frame -200: its steps before leave no room")
+        self.assertEqual(self.sentence(spider), f"{FOOT} cannot land on frame -200: its steps before leave no room")
         entry.use_touch = False
         self.assertWell(spider)
         for changes, sentence in (

@@ -218,7 +218,9 @@ def render_film(shot, scene, folder, quality, progress):
     demo = shot.scene
     _use_eevee(demo, scene, quality.film_samples, reflections=False)
     set_size(scene, quality.film_width)
-    first, last = (scene.frame_start, scene.frame_end) if shot.end == demo_plan.NEVER else (_frame_at(scene, moment) for moment in demo.film)
+    first, last = (
+        (scene.frame_start, scene.frame_end) if shot.end == demo_plan.NEVER else (_frame_at(scene, moment) for moment in demo.film)
+    )
     cost = _frame_cost(scene, last, progress)
     # The end is the best of it: a shorter film starts later.
     longest = min(last - first + 1, quality.film_frames)

@@ -3,6 +3,7 @@
 docs/make.py runs it inside Blender for `./motus docs moving [NAME...]`; NAME: of a scene, such as flight.
 """
 
+import shutil
 import tempfile
 import time
 from pathlib import Path
@@ -33,10 +34,12 @@ def _render(demo, file):
     with tempfile.TemporaryDirectory() as folder:
         frames = demo_film.render_loop(demo, scene, Path(folder), WIDTH, SAMPLES, step, progress)
         kilobits = 8.0 * LARGEST / 1000.0 * PER_SECOND / len(frames)
-        _encode(frames, file, kilobits)
-        while file.stat().st_size > LARGEST:
+        film = Path(folder) / file.name
+        _encode(frames, film, kilobits)
+        while film.stat().st_size > LARGEST:
             kilobits *= EASING
-            _encode(frames, file, kilobits)
+            _encode(frames, film, kilobits)
+        shutil.move(film, file)
     progress.say(f"{file}: {len(frames)} frames, {file.stat().st_size} bytes")
     return file
 

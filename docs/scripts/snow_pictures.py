@@ -167,12 +167,12 @@ def _render_marks(file):
         bpy.ops.motus.snow_add(
             preset='GENTLE',
             location=(x, 0.0, 6.0),
-            rate=2000.0,
+            rate=250.0,
             emitter_radius=3.4,
             lifetime=8.0,
             seed=column,
-            start_frame=-380.0,
-            preview=4.0,
+            start_frame=-1900.0,
+            preview=10.0,
         )
         emitter = bpy.context.object
         emitter.motus.snow.influence = 0.0
@@ -180,8 +180,8 @@ def _render_marks(file):
             surfaces=meadow.name,
             emitters=emitter.name,
             movers=",".join(one.name for one in movers),
-            lump=0.1,
-            resolution=0.05,
+            lump=0.08,
+            resolution=0.04,
             smoothing=0.3,
             packed=packed,
         )
@@ -195,7 +195,7 @@ def _roll(x, material):
     bpy.ops.mesh.primitive_uv_sphere_add(radius=0.6, segments=64, ring_count=32)
     ball = bpy.context.object
     ball.data.materials.append(material)
-    for frame, place in ((-200, (x - 3.2, -2.0, 0.62)), (-160, (x - 0.4, 0.2, 0.62)), (-110, (x + 1.9, 1.5, 0.62))):
+    for frame, place in ((-900, (x - 3.9, -2.4, 0.62)), (-700, (x - 0.4, 0.2, 0.62)), (-500, (x + 1.9, 1.5, 0.62))):
         ball.location = place
         ball.keyframe_insert("location", frame=frame)
     return [ball]
@@ -227,7 +227,7 @@ def _walk(x, material):
         soles.append(sole)
     body.location = x, 0.0, 0.0
     bpy.context.view_layer.update()
-    bpy.ops.motus.walker_add(object=body.name, feet=",".join(sole.parent.name for sole in soles), stride=1.3, use_plane=True)
+    bpy.ops.motus.walker_add(object=body.name, feet=",".join(sole.parent.name for sole in soles), stride=1.3, clearance=0.5, use_plane=True)
     for frame, place in ((-120, (x - 0.6, -2.9, 0.0)), (-50, (x, 0.0, 0.0)), (0, (x + 0.7, 2.2, 0.0))):
         body.location = place
         body.keyframe_insert("location", frame=frame)

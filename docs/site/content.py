@@ -59,9 +59,10 @@ ENGLISH = (
     ("Release notes", ("CHANGELOG.md",)),
 )
 SPANISH = (
-    ("Empezar", ("docs/es/start.md",)),
+    ("Empezar", ("docs/es/start.md", "docs/es/install.md")),
     ("Sistemas", tuple(f"docs/es/{name}.md" for name in SYSTEMS)),
-    ("En inglés", ("docs/together.md", "docs/hand_over.md", "docs/operators.md", "docs/glossary.md", "CHANGELOG.md")),
+    ("Cómo se combinan", ("docs/es/together.md", "docs/es/copying.md", "docs/es/hand_over.md")),
+    ("En inglés", ("docs/operators.md", "docs/glossary.md", "CHANGELOG.md")),
 )
 """Sections of the site, and the files of their pages."""
 ARTISTS = {"install", "main_scene", "together", "copying", "hand_over", "farm", "operators"}
@@ -231,7 +232,9 @@ def picture_address(path):
 
 
 def _size(path):
-    """Width and height of a PNG picture, in pixels; nothing for another one."""
+    """Width and height of a PNG picture, in pixels; nothing for another one, or one that is not there, which a test finds."""
+    if not path.exists():
+        return ()
     with open(path, "rb") as file:
         head = file.read(24)
     return struct.unpack(">II", head[16:24]) if head[1:4] == b"PNG" else ()

@@ -12,7 +12,7 @@ WORDS = {
     ),
     "ik": (
         "inverse kinematics foot feet hand slide slip elbow knee snap pole angle target reach arm leg fk switch stretch rubber floor limits",
-        "cinemática inversa pie pies mano deslizar codo rodilla polo ángulo objetivo brazo pierna estirar límites",
+        "cinemática inversa pie pies mano deslizar rodilla polo ángulo objetivo brazo pierna estirar límites",
     ),
     "limited_chains": ("joint limits solver", "límites articulación"),
     "look_at": ("eyes eye head gaze blink aim neck spine saccades track", "ojos cabeza mirada parpadeo cuello apuntar"),
@@ -42,7 +42,7 @@ WORDS = {
         "snowfall flakes particles rain dust petals sparks roof cover melt winter ground slow motion leaves",
         "nevada copos partículas polvo pétalos chispas tejado derretir invierno",
     ),
-    "pendulums": ("pendulum double chaos swing clock spherical trail", "péndulo doble caos reloj"),
+    "pendulums": ("pendulum double chaos swing clock spherical trail", "péndulo caos reloj"),
     "stereo": (
         "3d glasses anaglyph vr180 vr headset parallax interocular convergence eyes depth panorama 360",
         "gafas anaglifo vr180 realidad virtual paralaje convergencia profundidad 360",

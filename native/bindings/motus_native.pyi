@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'above_floor', 'are_below', 'blink', 'blinks', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'saccades', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'spherical_pendulum', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'walker_natural_stride', 'wave', 'weld', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'SnowMarks', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'above_floor', 'are_below', 'blink', 'blinks', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'saccades', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'spherical_pendulum', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'walker_natural_stride', 'wave', 'weld', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -985,20 +985,53 @@ class SnowLayer:
     """
     def __init__(self, layer_positions: numpy.typing.ArrayLike, layer_triangles: numpy.typing.ArrayLike, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), shelter: SnowCollider = None, repose: float | None = None) -> None:
         ...
-    def mesh(self, depths: numpy.typing.ArrayLike, thinnest: float = 0.0, steepest: float | None = None) -> dict[str, numpy.typing.NDArray[typing.Any]]:
+    def mesh(self, depths: numpy.typing.ArrayLike, thinnest: float = 0.0, steepest: float | None = None, left: numpy.typing.ArrayLike | None = None) -> dict[str, numpy.typing.NDArray[typing.Any]]:
         """
         The layer, as a dict: float32 position (n, 3) and depth (n,); int32 triangle (m, 3), edge (e, 2), which are all sides of the
         triangles, each once, and side (m, 3), the edges that leave each triangle's corners.
         
         depths (v,), m, across the surface.  thinnest, >= 0, m: snow that is not deeper is left out: the layer is cut along the
         line where it is that thin.  steepest, > 0: from vertex to vertex depths differ by no more than this fraction of the way between them; what
-        would be higher has fallen off. At loose edges walls close the layer.
+        would be higher has fallen off.  left (v,), >= 0, None: 1: how much of that depth is left. At loose edges walls close the layer.
         Raises ValueError or TypeError that names the argument.
         """
     @property
     def vertex_count(self) -> int:
         """
         How many vertices the triangles have.
+        """
+class SnowMarks:
+    """
+    Marks that movers leave in lying snow: how much of it they have pressed or swept away, at any time. Immutable.
+    
+    With the height H(t) that has fallen on a vertex, and the clearance c(s) beneath the movers, the depth there is
+    H(t) - max(0, max over s <= t of H(s) - c(s)).
+    layer: a SnowLayer.  movers: (SnowCollider in its own space, its triangles' normals outwards; times (k,), rising; matrices
+    (k, 4, 4) to world space, between which it goes evenly) each.  times (n,), rising: the stretch of time is from the first to
+    the last; marks of several stretches add up by their maximum.  heights (n, v), m, >= 0: of the snow on each vertex of the layer.
+    packed, m, >= 0: depth of the snow that stays under what presses.  step, m, > 0: a mover goes no farther from look to look, of
+    which there are 64 at most from one of its times to the next.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, layer: SnowLayer, movers: typing.Sequence[tuple[SnowCollider, numpy.typing.ArrayLike, numpy.typing.ArrayLike]], times: numpy.typing.ArrayLike, heights: numpy.typing.ArrayLike, *, packed: float = 0.0, step: float = 0.05) -> None:
+        ...
+    def pressed(self, time: float, depths: numpy.typing.ArrayLike, shares: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float32]:
+        """
+        (v,) float32: how much snow was pressed away on each vertex until `time`, m.
+        
+        depths (v,): heights at that time.  shares (v,), None: 1: of the heights that lie there, at all times; what is pressed away is
+        as much of the whole height.
+        Raises ValueError or TypeError that names the argument.
+        """
+    @property
+    def marked_count(self) -> int:
+        """
+        How many of them something has pressed on.
+        """
+    @property
+    def vertex_count(self) -> int:
+        """
+        How many vertices the layer has.
         """
 class WalkerGround:
     """
@@ -1058,18 +1091,19 @@ class Walker:
     sole.  heel, toe, >= 0: how far behind and ahead of a foot's place its sole rolls.  strike, push, rad, [0, pi/2]: how much the toe
     is up when a heel touches down, and the heel when a toe lifts; less in steps shorter than the stride, the other way round in
     steps that go backwards.
-    chosen: footholds that are chosen by hand, tuples (leg, time, offset, turn, fixed): of the stand of a leg at a time, s, or of the
+    chosen: footholds that are chosen by hand, tuples (leg, time, offset, turn, fixed, touch, until): of the stand of a leg at a time, s, or of the
     swing before it, the rest place below which ground is looked for is moved by offset (3,), in the body's space, and the sole is
     turned by turn, rad, about the ground's normal, counter-clockwise from above. fixed: None, or (place (3,), rotation (4,)), w, x,
-    y, z, of the foot with its flat sole, which stands there whatever body and ground do. Such footholds are never replaced by nearer
-    ones; of several for one stand the last one counts.
+    y, z, of the foot with its flat sole, which stands there whatever body and ground do. touch, until: s, when the foot touches down
+    and when it lifts again, or None; the leg's steps before and after make room. Such footholds are never replaced by nearer ones; of
+    several for one stand the last one counts. time is as steps has it in 'planned', without any touch and until.
     changes: of the gait over time, tuples (sample, phases (n,), duty) in the order of samples: from there on legs go over to this gait
     within `transition` cycles, [1, 1000], each by half a cycle at most, while feet that stand stay.  strides, cadences, duties (k,) or
     None: at the samples, in place of stride, cadence, and the duty of all gaits. A step has the stride and the duty of when it lifts.
     hip_height, [0, 1e6]: above 0 feet stand for the duty's share of walker_natural_stride() at the body's speed, in place of stride.
     Raises ValueError or TypeError that names the argument, also if more than 1,000,000 steps would be planned.
     """
-    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), ankle: float = 0.0, heel: float = 0.0, toe: float = 0.0, strike: float = 0.0, push: float = 0.0, chosen: typing.Sequence[tuple[int, float, numpy.typing.ArrayLike, float, tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None]] | None = None, changes: typing.Sequence[tuple[int, numpy.typing.ArrayLike, float]] | None = None, transition: float = 1.0, strides: numpy.typing.ArrayLike | None = None, cadences: numpy.typing.ArrayLike | None = None, duties: numpy.typing.ArrayLike | None = None, hip_height: float = 0.0) -> None:
+    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), ankle: float = 0.0, heel: float = 0.0, toe: float = 0.0, strike: float = 0.0, push: float = 0.0, chosen: typing.Sequence[tuple[int, float, numpy.typing.ArrayLike, float, tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None, float | None, float | None]] | None = None, changes: typing.Sequence[tuple[int, numpy.typing.ArrayLike, float]] | None = None, transition: float = 1.0, strides: numpy.typing.ArrayLike | None = None, cadences: numpy.typing.ArrayLike | None = None, duties: numpy.typing.ArrayLike | None = None, hip_height: float = 0.0) -> None:
         ...
     def body(self, times: numpy.typing.ArrayLike) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         """
@@ -1111,7 +1145,8 @@ class Walker:
     def problems(self) -> list[tuple[int, float, float, str]]:
         """
         Problems with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
-        foot stands on its rest place, 'out_of_reach' of the hip, and 'no_length' of a leg.
+        foot stands on its rest place, 'out_of_reach' of the hip, 'no_length' of a leg, and 'no_touch' and 'no_lift' if a foot cannot touch
+        down or lift when `chosen` says.
         """
     @property
     def settled(self) -> float:
@@ -1123,7 +1158,7 @@ class Walker:
         """
         All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
         foot is half-way; middle (s,), s, of the stand; turn (s, 4), w, x, y, z, of the flat sole on `end`; chosen (s,) int32: which of
-        `chosen` it follows, -1 for none. If lift equals touch the foot is put there at once: at the first sample and at jumps.
+        `chosen` it follows, -1 for none; planned (s,), s: `middle` if none had a touch or until. If lift equals touch the foot is put there at once: at the first sample and at jumps.
         """
 class StrandSurface:
     """

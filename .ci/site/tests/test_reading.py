@@ -5,7 +5,17 @@ import reader
 WIDTHS = (390, 820, 1440)
 """Pixels of a phone, a tablet and a window on a desk."""
 THEMES = ("default", "slate")
-RULES = ("color-contrast", "heading-order", "image-alt", "link-name", "button-name", "label", "document-title", "html-has-lang", "duplicate-id-aria")
+RULES = (
+    "color-contrast",
+    "heading-order",
+    "image-alt",
+    "link-name",
+    "button-name",
+    "label",
+    "document-title",
+    "html-has-lang",
+    "duplicate-id-aria",
+)
 """Of axe-core, the checks of which a reader with poor sight or without a mouse would miss the most."""
 
 
@@ -40,5 +50,7 @@ def test_pages_can_be_read_by_everyone(browser):
                 page.evaluate("theme => document.body.setAttribute('data-md-color-scheme', theme)", theme)
                 for fault in axe.run(page, options=options).response["violations"]:
                     nodes = fault["nodes"]
-                    wrong.append(f"{address} ({theme}): {fault['id']}, {len(nodes)} times: {nodes[0]['html'][:200]} {nodes[0].get('failureSummary', '')[:200]}")
+                    wrong.append(
+                        f"{address} ({theme}): {fault['id']}, {len(nodes)} times: {nodes[0]['html'][:200]} {nodes[0].get('failureSummary', '')[:200]}"
+                    )
     assert not wrong, "\n".join(wrong)

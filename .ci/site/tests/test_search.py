@@ -53,6 +53,7 @@ def window(browser):
 
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_finds(window, question):
+    """The page that answers is among the first results."""
     page = window.page
     field = page.locator("input.md-search__input")
     field.click()

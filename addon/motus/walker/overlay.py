@@ -37,7 +37,7 @@ def _batches(context, obj):
     scale = evaluated.matrix_world.median_scale
     size = SIZE * scale * owner.motus.walker.stride
     if shown.show_walker_footholds:
-        found += _of_steps(planned.walker, now, size, _is_left(owner))
+        found += _of_steps(planned.walker, now, size, is_left(owner))
     if shown.show_walker_rests:
         matrix = np.array(evaluated.matrix_world)
         up = matrix[:3, :3] @ axes.vector(owner.motus.walker.up_axis)
@@ -50,7 +50,7 @@ def _rests(owner):
     return np.array([tuple(leg.rest) for leg in owner.motus.walker.legs])
 
 
-def _is_left(owner):
+def is_left(owner):
     """Whether each leg is on the left side of the body, (n,) bool: left of the middle of all rest positions, as the gaits count."""
     settings = owner.motus.walker
     across = _rests(owner) @ np.cross(axes.vector(chosen(settings, "forward_axis")), axes.vector(chosen(settings, "up_axis")))
@@ -88,7 +88,12 @@ overlay = Overlay(
     _batches,
     (
         Switch("show_walker_footholds", "Footholds", "Draw where feet stand, and how they come there, around the present frame"),
-        Switch("show_walker_times", "Step Times", "Draw a chart of when the feet of the active walker stand; the ends of its bars are dragged", False),
+        Switch(
+            "show_walker_times",
+            "Step Times",
+            "Draw a chart of when the feet of the active walker stand; the ends of its bars are dragged",
+            False,
+        ),
         Switch("show_walker_rests", "Rest Positions", "Draw the rest position of each foot below the body", False),
     ),
 )

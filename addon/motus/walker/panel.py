@@ -5,9 +5,8 @@ import math
 from ..core.declare import Problem, is_owner, leader_of
 from ..core.interface import panels, ui
 from ..core.interface.tracks import panel as track_panel
-from ..core.measures import scene_time
-from ..core.translations import tr
 from ..core.refusals import Refused
+from ..core.translations import tr
 from . import legs, pace, plan, presets, rows, told
 from .setup import system
 from .steps import chart, chosen
@@ -101,7 +100,7 @@ def _draw_moments(row, context, owner, index, planned):
         part = row.row(align=True)
         if getattr(step, f"use_{name}"):
             part.prop(step, name)
-            part.prop(step, f"use_{name}", text="", icon='X', toggle=True)
+            part.prop(step, f"use_{name}", text="", icon='X', toggle=True, invert_checkbox=True)
             continue
         seconds = getattr(planned, name, math.inf)
         part.enabled = math.isfinite(seconds)

@@ -183,10 +183,10 @@ class MOTUS_PG_walker_step(bpy.types.PropertyGroup):
         soft_min=-math.pi,
         soft_max=math.pi,
     )
-    use_touch: switch("Set Touchdown", "Have the foot touch the ground on the frame Touchdown; its steps before and after make room")
-    touch: _number("Touchdown", "Frame on which the foot touches the ground, if it is set", 0.0)
-    use_lift: switch("Set Lift-Off", "Have the foot stand until the frame Lift-Off; its steps before and after make room")
-    lift: _number("Lift-Off", "Frame until which the foot stands, if it is set", 0.0)
+    use_touch: switch("Set Landing", "Have the foot land on a frame of its own; its steps before and after make room")
+    touch: _number("Lands", "Frame on which the foot touches the ground, if it is set", 0.0)
+    use_lift: switch("Set Lifting", "Have the foot stand until a frame of its own; its steps before and after make room")
+    lift: _number("Lifts", "Frame until which the foot stands, if it is set", 0.0)
     is_locked: switch("Locked", "The foot stands at the place, whatever body and ground do", options={'HIDDEN'})
     place: _numbers("Place", "Where the foot of a locked step stands, in the world or in the carrier's space")
     rotation: vector(

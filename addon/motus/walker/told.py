@@ -72,7 +72,7 @@ def _unreached(context, owner, leg, first, last, reason, more):
         "no_ground": lambda: tr("{foot} finds no ground within reach on frames {first}-{last}"),
         "out_of_reach": lambda: tr("{foot} is too far from its leg on frames {first}-{last}"),
         "no_length": lambda: tr("The leg of {foot} has no length"),
-        "no_touch": lambda: tr("{foot} cannot touch down on frame {first}: its steps before leave no room"),
+        "no_touch": lambda: tr("{foot} cannot land on frame {first}: its steps before leave no room"),
         "no_lift": lambda: tr("{foot} cannot lift on frame {first}: its step has no room, or is the last one"),
     }[reason]()
     entry = owner.motus.walker.legs[leg]

@@ -8,6 +8,7 @@ import bpy
 
 import support
 from window import window_support
+from window.core.test_habits import widen
 
 SITE = "https://site/"
 
@@ -109,3 +110,38 @@ def test_help_buttons():
         window_support.press('LEFTMOUSE', *place)
         yield from window_support.until(lambda: found)
         assert found == ["path.html"], found
+
+
+def test_help_buttons_leave_titles_their_room():
+    build(follows=True)
+    yield from window_support.open_tab("Motus")
+    sidebar, widths, answers = window_support.region('UI'), support.addon("core.interface.view.widths"), {}
+    before, fits = sidebar.width, widths.title_fits
+
+    def noting(title, buttons):
+        answers[title, buttons] = fits(title, buttons)
+        return answers[title, buttons]
+
+    with mock.patch.object(widths, "title_fits", noting):
+        window_support.draw_all()
+        yield from window_support.until(lambda: ("Follow Path", 2) in answers)
+        assert answers["Follow Path", 2], (before, answers)
+        yield from widen(sidebar, -110)
+        yield from window_support.until(lambda: not answers["Follow Path", 2])
+        yield from window_support.picture("manual_narrow")
+        assert not answers["Follow Path", 2], (sidebar.width, answers)
+    yield from widen(sidebar, before - sidebar.width)
+
+
+def test_titles_are_no_wider_than_is_thought():
+    declare, widths = support.addon("core.declare"), support.addon("core.interface.view.widths")
+    view, scale, translate = bpy.context.preferences.view, bpy.context.preferences.system.ui_scale, bpy.app.translations.pgettext_iface
+    view.use_translate_interface = True
+    try:
+        for view.language in ("es", "en_US"):
+            yield
+            titles = {translate(*declare.title(feature)) for feature in declare.registered.values()}
+            wide = {title: window_support.text_width(title) / scale for title in titles}
+            assert not {title for title in titles if wide[title] > widths.of_text(title) + widths.PADDING}, wide
+    finally:
+        view.language = "en_US"

@@ -1,4 +1,4 @@
-"""Handles of a walker's steps: they are dragged and turned, one undo step each, and Esc puts all back."""
+"""Handles of a walker's steps, and the chart of their times: they are dragged, one undo step each, and Esc puts all back."""
 
 import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d
@@ -83,6 +83,58 @@ def test_escape_puts_it_back():
     build()
     yield
     place = yield from drag(False, 40, 25, release=False)
+    assert len(entries()) == 1
+    window_support.press('ESC', *place)
+    yield
+    assert len(entries()) == 0
+    mouse.simulate('LEFTMOUSE', 'RELEASE', *place)
+    yield
+
+
+def chart_end(moment, leg=0):
+    """Where the first end of a leg's bars is in the window, and its frame. moment: "touch" or "lift"."""
+    region = window_support.region()
+    with window_support.override():
+        drawn = support.addon("walker.steps.chart").Chart.of(bpy.context, bpy.data.objects["Body"], region)
+    end = next(one for one in drawn.ends() if one.moment == moment and one.step.leg == leg)
+    return round(drawn.x(end.seconds)) + region.x, round(drawn.y(leg)) + region.y, end.seconds / cases.seconds(1.0), drawn
+
+
+def drag_end(moment, frames, release=True):
+    x, y, frame, drawn = chart_end(moment)
+    for step in (6, 3, 1, 0):
+        window_support.move(x + step, y)
+        yield
+    across = round(drawn.x(drawn.now + cases.seconds(frames)) - drawn.x(drawn.now))
+    yield from mouse.drag('LEFTMOUSE', (x, y), (x + across, y), release=release)
+    return frame, (x + across, y)
+
+
+def test_a_step_is_timed_in_the_chart():
+    build()
+    bpy.context.scene.motus.show_walker_times = True
+    yield
+    frame, _ = yield from drag_end("lift", 5.0)
+    assert len(entries()) == 1, len(entries())
+    entry = entries()[0]
+    assert entry.use_lift and not entry.use_touch and entry.lift == round(entry.lift), entry.lift
+    assert abs(entry.lift - frame - 5.0) <= 1.5, (entry.lift, frame)
+    yield from window_support.picture("walker_times")
+    _, _, now, _ = chart_end("lift")
+    assert abs(now - entry.lift) < 1e-9, now
+    mouse.undo()
+    yield
+    assert len(entries()) == 0, "it was not undone by one step"
+    mouse.redo()
+    yield
+    assert len(entries()) == 1
+
+
+def test_escape_puts_the_time_back():
+    build()
+    bpy.context.scene.motus.show_walker_times = True
+    yield
+    _, place = yield from drag_end("touch", 4.0, release=False)
     assert len(entries()) == 1
     window_support.press('ESC', *place)
     yield

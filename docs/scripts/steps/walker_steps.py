@@ -43,6 +43,11 @@ def steps(strip):
     _lock_a_step()
     yield from strip.shot(150, 200)
     yield from strip.panel("walker_panel", 0, 28, 1050, 720)
+    _hold_a_step()
+    for part in ("Soles", "Steps"):
+        yield from hand.click(part, hand.box('UI'), ctrl=True)
+    yield 0.5
+    yield from strip.panel("walker_times", 0, 28, 1050, 720)
 
 
 def _look():
@@ -80,3 +85,11 @@ def _lock_a_step():
         spider = bpy.context.object
         bpy.ops.motus.walker_step(object=spider.name, foot="foot 1.R", frame=40, lock=True)
         bpy.ops.motus.walker_step(object=spider.name, foot="foot 2.L", frame=40, turn=0.0)
+
+
+def _hold_a_step():
+    """One step is held until a later frame, and the chart shows it."""
+    with window_support.override():
+        spider = bpy.context.object
+        bpy.context.scene.motus.show_walker_times = True
+        bpy.ops.motus.walker_step_time(object=spider.name, foot="foot 1.R", frame=40, lift=58)

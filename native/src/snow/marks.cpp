@@ -21,7 +21,7 @@ namespace motus::snow {
 namespace {
 
 constexpr std::size_t grain = 256;
-constexpr double most_steps = 64.0;
+constexpr int most_steps = 64;
 /// Share of the greatest height: what presses less deep than this beyond what has pressed before is no event.
 constexpr double least_share = 1.0 / 4096.0;
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -47,9 +47,9 @@ struct Bounds {
     [[nodiscard]] double way(const glm::dmat4& from, const glm::dmat4& to) const {
         const glm::dmat4 change = to - from;
         double longest = 0.0;
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec4 at((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
-                                (corner & 4) != 0 ? high.z : low.z, 1.0);
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const glm::dvec4 at((corner & 1U) != 0 ? high.x : low.x, (corner & 2U) != 0 ? high.y : low.y,
+                                (corner & 4U) != 0 ? high.z : low.z, 1.0);
             longest = std::max(longest, length_of(glm::dvec3(change * at)));
         }
         return longest;
@@ -204,18 +204,24 @@ class Marks::Maker {
         };
         for (std::size_t mover = 0; mover < count; ++mover) look_at(mover, at.front(), rest(0, mover));
         for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-            double steps = 0.0;
+            int steps = 0;
             for (std::size_t mover = 0; mover < count; ++mover)
                 if (const double way = ways[i * count + mover]; way > 0.0)
-                    steps = std::max(steps, std::clamp(std::ceil(way / settings_.step), 1.0, most_steps));
-            for (double step = 1.0; step <= steps; step += 1.0) {
+                    steps = std::max(steps, steps_of(way));
+            for (int step = 1; step <= steps; ++step) {
                 const bool is_last = step == steps;
-                const double time = is_last ? at[i + 1] : at[i] + (at[i + 1] - at[i]) * (step / steps);
+                const double time = is_last ? at[i + 1] : at[i] + (at[i + 1] - at[i]) * step / steps;
                 for (std::size_t mover = 0; mover < count; ++mover)
                     if (ways[i * count + mover] > 0.0)
                         look_at(mover, time, is_last ? rest(i + 1, mover) : time);
             }
         }
+    }
+
+    /// Looks at a mover that goes so far, m, > 0.
+    [[nodiscard]] int steps_of(double way) const {
+        const double wanted = std::ceil(way / settings_.step);
+        return wanted < most_steps ? std::max(1, static_cast<int>(wanted)) : most_steps;
     }
 
     /// Notes what a mover presses that is at a place from `start` to `end`.

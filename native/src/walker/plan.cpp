@@ -37,7 +37,8 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
     return met;
 }
 
-/// Footfalls beyond the last planned one, for a leg of which a step is timed: its last foothold may be earlier.
+/// Footfalls beyond the last planned one, for a leg of which a step is timed: its last foothold may be
+/// earlier.
 constexpr int spare_footfalls = 2;
 
 [[nodiscard]] bool has_times(const ChosenStep& step) {
@@ -136,8 +137,8 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
         fall.touch = trajectory_.time_after(stretch, leg, fall.touch_cycles);
         fall.until = trajectory_.time_after(stretch, leg, fall.lift_cycles + 1.0);
         if (is_slow) fall.lift = std::max(fall.lift, begin);
-        stand_at(leg, stretch, trajectory_.time_after(stretch, leg, fall.lift_cycles + 1.0 - 0.5 * fall.pace.duty),
-                 fall);
+        stand_at(leg, stretch,
+                 trajectory_.time_after(stretch, leg, fall.lift_cycles + 1.0 - 0.5 * fall.pace.duty), fall);
         fall.planned = fall.middle;
         falls.push_back(fall);
     }
@@ -259,8 +260,7 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
                               : first;
         stand.end = std::max(stand.end, stand.first + 1);
         if (lifts && stand.first + 1 < falls.size())
-            stand.end =
-                nearest(cycles(*step.until), stand.end, stand.first + 1, &Footfall::lift_cycles);
+            stand.end = nearest(cycles(*step.until), stand.end, stand.first + 1, &Footfall::lift_cycles);
         for (std::size_t i = std::min(first, stand.first); i < stand.end; ++i)
             if (i != stand.first) is_left_out[i] = 1;
         Footfall& fall = falls[stand.first];
@@ -290,7 +290,7 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
         Footfall& fall = falls[i];
         fall.until = next < falls.size() ? falls[next].lift : std::numeric_limits<double>::infinity();
         const double end = is_whole && next < falls.size() && next > i + 1 ? falls[next].lift_cycles
-                                                                         : fall.lift_cycles + 1.0;
+                                                                           : fall.lift_cycles + 1.0;
         const bool stays = end == fall.lift_cycles + 1.0 && timing.shift(fall.touch_cycles) == 0.0 &&
                            timing.shift(end) == 0.0;
         if (!stays) {
@@ -504,10 +504,8 @@ void Planner::add_mistimed(std::size_t leg, std::size_t stretch, std::span<const
         const bool is_there = step != steps.end();
         const bool touches = is_there && step->lift < step->touch && step->touch == wanted.touch;
         const bool lifts = is_there && step + 1 != steps.end() && (step + 1)->lift == wanted.until;
-        if (wanted.touch && !touches)
-            found.push_back({leg, *wanted.touch, *wanted.touch, Trouble::no_touch});
-        if (wanted.until && !lifts)
-            found.push_back({leg, *wanted.until, *wanted.until, Trouble::no_lift});
+        if (wanted.touch && !touches) found.push_back({leg, *wanted.touch, *wanted.touch, Trouble::no_touch});
+        if (wanted.until && !lifts) found.push_back({leg, *wanted.until, *wanted.until, Trouble::no_lift});
     }
 }
 

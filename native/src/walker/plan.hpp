@@ -35,9 +35,9 @@ class Planner {
     struct Footfall {
         double lift_cycles = 0.0;   ///< BodyTrajectory::cycles() when it is planned to lift
         double touch_cycles = 0.0;  ///< and to touch down
-        double lift = 0.0;   ///< s
-        double touch = 0.0;  ///< s
-        double until = 0.0;  ///< when the next cycle's swing begins, s
+        double lift = 0.0;          ///< s
+        double touch = 0.0;         ///< s
+        double until = 0.0;         ///< when the next cycle's swing begins, s
         Search search;
         Contact place;
         bool is_grounded = true;
@@ -117,10 +117,10 @@ class Planner {
     Reach reach_;
     SoleFrame soles_;
     Executor executor_;
-    std::vector<glm::dvec3> hips_;           ///< the settings', or the middle of all feet for each leg
-    std::vector<Footfalls> falls_;           ///< by row()
+    std::vector<glm::dvec3> hips_;                 ///< the settings', or the middle of all feet for each leg
+    std::vector<Footfalls> falls_;                 ///< by row()
     std::vector<std::vector<std::size_t>> timed_;  ///< by row(): indices in WalkSettings::chosen
-    std::vector<Correction> corrections_{};  ///< at samples
+    std::vector<Correction> corrections_{};        ///< at samples
 };
 
 }  // namespace motus::walker

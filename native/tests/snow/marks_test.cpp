@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -28,9 +29,13 @@ struct Meadow {
     Triangles triangles;
     Meadow() { add_sheet(half_width, 0.0F, 0.0F, cells, positions, triangles); }
 };
-const Meadow meadow;
+[[nodiscard]] const Points& feet() {
+    static const Meadow meadow;
+    return meadow.positions;
+}
 
 [[nodiscard]] const SnowLayer& layer() {
+    static const Meadow meadow;
     static const SnowLayer found(meadow.positions, meadow.triangles, upwards);
     return found;
 }
@@ -38,10 +43,10 @@ const Meadow meadow;
 /// A closed box around the origin.
 [[nodiscard]] std::shared_ptr<const Collider> box(const glm::vec3& half) {
     Points positions;
-    for (int corner = 0; corner < 8; ++corner)
-        positions.push_back(half * glm::vec3((corner & 1) != 0 ? 1.0F : -1.0F,
-                                             (corner & 2) != 0 ? 1.0F : -1.0F,
-                                             (corner & 4) != 0 ? 1.0F : -1.0F));
+    for (unsigned corner = 0; corner < 8; ++corner)
+        positions.push_back(half * glm::vec3((corner & 1U) != 0 ? 1.0F : -1.0F,
+                                             (corner & 2U) != 0 ? 1.0F : -1.0F,
+                                             (corner & 4U) != 0 ? 1.0F : -1.0F));
     const Triangles triangles{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                               {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return std::make_shared<const Collider>(positions, triangles);
@@ -53,7 +58,8 @@ const Meadow meadow;
     Triangles triangles;
     for (int row = 0; row <= down; ++row) {
         for (int column = 0; column < around; ++column) {
-            const double polar = 3.14159265358979 * row / down, turn = 6.28318530717959 * column / around;
+            const double polar = std::numbers::pi * row / down,
+                         turn = 2.0 * std::numbers::pi * column / around;
             const double out = row % down == 0 ? 0.0 : std::sin(polar);
             positions.emplace_back(static_cast<double>(radius) *
                                    glm::dvec3(out * std::cos(turn), out * std::sin(turn), std::cos(polar)));
@@ -101,7 +107,7 @@ TEST_CASE("a plough leaves a trench of exact depth, which later snow fills", "[s
         const std::vector<float> gone = pressed(marks, time, depth);
         std::size_t marked = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            const glm::dvec3 at(meadow.positions[i]);
+            const glm::dvec3 at(feet()[i]);
             // The hind edge passed there when the middle was 0.1 m farther.
             const double last = 1.0 + (at.x + 3.0 + 0.1) / 3.0, first = 1.0 + (at.x + 3.0 - 0.1) / 3.0;
             if (std::abs(at.y) > 0.26 || first > time) {
@@ -126,7 +132,7 @@ TEST_CASE("a ball that is dropped and lifted leaves a bowl", "[snow]") {
     const Marks marks(layer(), {dropped}, times, growing(times, 0.0, 0.2), {});
     const std::vector<float> gone = pressed(marks, 5.0, 0.2F);
     for (std::size_t i = 0; i < count; ++i) {
-        const double distance = length_of(glm::dvec3(meadow.positions[i]));
+        const double distance = length_of(glm::dvec3(feet()[i]));
         const double clearance = distance < 0.5 ? 0.55 - std::sqrt(0.25 - distance * distance)
                                                 : std::numeric_limits<double>::infinity();
         CHECK(static_cast<double>(gone[i]) == Approx(std::max(0.0, 0.2 - clearance)).margin(1.5e-3));
@@ -222,9 +228,9 @@ TEST_CASE("what is fast leaves no gaps", "[snow]") {
     const Marks marks(layer(), {arrow}, times, growing(times, 0.0, 0.1), {.step = 0.05});
     const std::vector<float> gone = pressed(marks, 2.0, 0.1F);
     for (std::size_t i = 0; i < count; ++i) {
-        const double across = std::abs(static_cast<double>(meadow.positions[i].y) - 0.3 +
-                                       0.5 * (static_cast<double>(meadow.positions[i].x) + 1.9) / 3.8);
-        if (std::abs(meadow.positions[i].x) < 1.9F && across < 0.09) CHECK(gone[i] == Approx(0.1F));
+        const double across = std::abs(static_cast<double>(feet()[i].y) - 0.3 +
+                                       0.5 * (static_cast<double>(feet()[i].x) + 1.9) / 3.8);
+        if (std::abs(feet()[i].x) < 1.9F && across < 0.09) CHECK(gone[i] == Approx(0.1F));
         if (across > 0.115) CHECK(gone[i] == 0.0F);
     }
 }

@@ -51,8 +51,9 @@ ChosenStep timed(const Footstep& step, std::optional<double> touch, std::optiona
 }
 
 bool is_same(const Footstep& one, const Footstep& other) {
-    return one.lift == other.lift && one.touch == other.touch && one.start == other.start && one.end == other.end &&
-           one.end_turn == other.end_turn && one.middle == other.middle && one.planned == other.planned;
+    return one.lift == other.lift && one.touch == other.touch && one.start == other.start &&
+           one.end == other.end && one.end_turn == other.end_turn && one.middle == other.middle &&
+           one.planned == other.planned;
 }
 
 /// Each foot stands with the same bits until it lifts, lifts after it has touched down, and moves without a
@@ -102,9 +103,11 @@ TEST_CASE("a timed step touches down and lifts when it is told, and the steps ar
             // Swings and stands around take half as long as planned at least.
             for (std::size_t i = 1; i < steps.size(); ++i) {
                 CHECK(steps[i].planned == Approx(before[i].planned));
-                if (i != row) CHECK(steps[i].touch - steps[i].lift >= 0.499 * (before[i].touch - before[i].lift));
+                if (i != row)
+                    CHECK(steps[i].touch - steps[i].lift >= 0.499 * (before[i].touch - before[i].lift));
                 if (i - 1 != row)
-                    CHECK(steps[i].lift - steps[i - 1].touch >= 0.499 * (before[i].lift - before[i - 1].touch));
+                    CHECK(steps[i].lift - steps[i - 1].touch >=
+                          0.499 * (before[i].lift - before[i - 1].touch));
             }
             for (std::size_t other = 0; other < 8; ++other)
                 if (other != leg)
@@ -193,7 +196,8 @@ TEST_CASE("a body that rests has its feet on their rest places in the end", "[ti
         const Walker walker = walking(way, {timed(last, touch, std::nullopt)});
         check_walks(walker);
         CHECK(walker.problems().empty());
-        CHECK(glm::distance(walker.foot(leg, 20.0).position, in_world(with_rest(12.0), eight_feet()[leg])) < 1e-9);
+        CHECK(glm::distance(walker.foot(leg, 20.0).position, in_world(with_rest(12.0), eight_feet()[leg])) <
+              1e-9);
     }
     const double goes = step_at(before, 9.0).lift;
     for (const double until : {goes + 0.3, goes + 1.0}) {
@@ -206,7 +210,9 @@ TEST_CASE("a body that rests has its feet on their rest places in the end", "[ti
 
 TEST_CASE("steps that are timed at random never overlap", "[timed]") {
     Random random(7);
-    Way way = way_along(10.0, [](double time) { return moved({0.0, time + 0.4 * std::sin(2.0 * time), 0.0}); });
+    Way way = way_along(10.0, [](double time) {
+        return moved({0.0, time + 0.4 * std::sin(2.0 * time), 0.0});
+    });
     for (const double time : way.times) {
         way.strides.push_back(0.5 + 0.2 * std::sin(time));
         way.cadences.push_back(1.0 + 0.5 * std::cos(time));
@@ -242,7 +248,8 @@ TEST_CASE("moments keep their order, and set ones are where they are set", "[tim
             const double wanted = planned + random.between(-1.0, 1.0);
             if (timing.set(planned, wanted)) set.emplace_back(planned, wanted);
         }
-        for (const auto& [planned, wanted] : set) CHECK(timing.moved(planned) == Approx(wanted).epsilon(1e-12));
+        for (const auto& [planned, wanted] : set)
+            CHECK(timing.moved(planned) == Approx(wanted).epsilon(1e-12));
         double before = timing.moved(-1.0);
         CHECK(before == -1.0);
         for (int i = -99; i < 3000; ++i) {

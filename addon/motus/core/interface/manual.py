@@ -15,7 +15,7 @@ from ..declare import page, registered, title
 from ..refusals import Refused
 from ..translations import tr
 from . import overlay
-from .view import preferences
+from .view import preferences, widths
 
 SITE = ""
 """Address of the manual's site, with / at its end. If it is empty, the pages in the add-on's folder are opened."""
@@ -130,9 +130,10 @@ class MOTUS_OT_manual(bpy.types.Operator):
         return bpy.ops.wm.url_open(url=found)
 
 
-def draw_button(layout: Any, name: str) -> None:
-    """Draw a button with an icon alone, for the header of a panel, that opens a page. name: of the page."""
-    layout.operator(MOTUS_OT_manual.bl_idname, text="", icon='HELP', emboss=False).page = name
+def draw_button(panel: bpy.types.Panel, layout: Any, name: str, beside: int = 0) -> None:
+    """Draw a button that opens a page in the header of a panel, if there is room for it. name: of the page. beside: how many buttons there are."""
+    if widths.title_fits(bpy.app.translations.pgettext_iface(panel.bl_label, panel.bl_translation_context), beside + 1):
+        layout.operator(MOTUS_OT_manual.bl_idname, text="", icon='HELP', emboss=False).page = name
 
 
 class _Beginning:

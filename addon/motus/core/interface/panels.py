@@ -132,7 +132,7 @@ def _common(panel):
 
 
 def _menu(panel, name):
-    """Generate the menu *More* of a panel: what copies the system's settings, and Refresh."""
+    """Generate the menu *More* of a panel: what copies the system's settings, Refresh, and the manual."""
 
     def draw(self, context):
         layout = offering.offer(self.layout)
@@ -145,6 +145,7 @@ def _menu(panel, name):
         button = layout.operator(panel.refresh, icon='FILE_REFRESH')
         if panel.refresh == REFRESH:
             button.system = panel.name
+        layout.operator(manual.MOTUS_OT_manual.bl_idname, icon='HELP').page = page(registered[panel.name])
 
     return type(name, (bpy.types.Menu,), {"bl_label": "More", "draw": draw, **_common(panel)})
 
@@ -159,9 +160,10 @@ def _main(panel):
 
         def draw_header_preset(self, context):
             row = self.layout.row(align=True)
-            if panel.presets and panel.shows_settings(context):
+            has_presets = bool(panel.presets and panel.shows_settings(context))
+            if has_presets:
                 panel.presets.draw_panel_header(row)
-            manual.draw_button(row, page(registered[panel.name]))
+            manual.draw_button(self, row, page(registered[panel.name]), beside=has_presets)
 
         def draw(self, context):
             draw(panel, self.layout, context)
@@ -250,7 +252,7 @@ class _Adding:
     """
 
     def draw_header_preset(self, _context):
-        manual.draw_button(self.layout, manual.START)
+        manual.draw_button(self, self.layout, manual.START)
 
     def draw(self, context):
         layout = self.layout

@@ -44,9 +44,7 @@ def _add_dynamics(rig):
     bpy.ops.motus.dynamics_add(object=rig.name, bones=tail, style='FLOPPY', chain_delay=0.035, use_loop=True)
     for antenna in (left, right):
         bpy.ops.motus.dynamics_add(object=rig.name, bones=antenna, style='BOUNCY', chain_delay=0.015, weight=ANTENNAE, use_loop=True)
-    bpy.ops.motus.dynamics_add(
-        object=rig.name, bones=skeleton.BODY, style='BOUNCY', follow='OWN', channels={'SCALE'}, use_loop=True
-    )
+    bpy.ops.motus.dynamics_add(object=rig.name, bones=skeleton.BODY, style='BOUNCY', follow='OWN', channels={'SCALE'}, use_loop=True)
 
 
 def _key_hops(rig):

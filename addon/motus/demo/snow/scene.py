@@ -32,7 +32,7 @@ CLOUDS = (
 AHEAD = 8.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
 LIFETIME = 14.0  # seconds until a flake has come down
 COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.05}
-ROLL = (5.6, -3.6), (3.4, -1.4), (1.6, -0.9), (0.3, 0.6), (0.2, 2.6)
+ROLL = (7.0, 0.2), (4.6, 1.6), (2.4, 2.2), (0.9, 3.8), (1.0, 6.4)
 """Points, x and y, between which the snowball rolls in a smooth curve."""
 ROLLS = 2.0, 9.0  # seconds of the scene
 BALL = 0.24, 0.46  # m, radius of the snowball before and after

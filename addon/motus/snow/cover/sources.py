@@ -45,7 +45,7 @@ def surfaces(settings):
 def movers(settings):
     """List the original mesh objects of a cover's settings that leave marks, each once, without deleted ones and surfaces."""
     listed = [one.original for one in (pointed(entry, "object") for entry in settings.movers) if one]
-    lain_on = {one.object for one in surfaces(settings)}
+    lain_on = {one.object for one in surfaces(settings)} if listed else ()
     return [obj for obj in dict.fromkeys(listed) if is_surface(obj) and obj not in lain_on and not deleted.is_deleted(obj)]
 
 

@@ -17,7 +17,6 @@ from ...core.refusals import Refused
 from ...core.translations import tr
 from .. import carrier, legs, plan, setup, told
 
-
 CHANGED = "offset", "turn", "is_locked", "place", "rotation", "use_touch", "touch", "use_lift", "lift"
 """Names of the properties of an entry that say what was changed of its step."""
 

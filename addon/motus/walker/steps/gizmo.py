@@ -5,7 +5,8 @@ import bpy
 from ...core.declare import is_owner
 from ...core.interface.dragging import handle_groups
 from ...core.interface.view import drawing
-from .. import legs, setup
+from ...core.measures import scene_time
+from .. import legs, overlay, setup
 from . import chart, handles, operators
 
 RADIUS, SMALL = 4.0, 1.5
@@ -110,8 +111,11 @@ class MOTUS_GT_walker_times(bpy.types.Gizmo):
         for leg in range(drawn.rows):
             drawing.text([legs.label(owner.motus.walker.legs[leg])], chart.LEFT * scale, drawn.y(leg) - 0.25 * chart.ROW * scale, scale)
         half = 0.5 * chart.BAR * scale
+        sides = overlay.is_left(owner)
         for step in drawn.steps:
             color = _color(owner, step)
+            if color == COLOR:
+                color = overlay.LEFT_COLOR if sides[step.leg] else overlay.RIGHT_COLOR
             middle = drawn.y(step.leg)
             drawing.rectangle((drawn.x(step.touch), middle - half), (drawn.x(step.lift), middle + half), (*color[:3], BAR_ALPHA * color[3]))
         drawing.line([(drawn.x(drawn.now), low), (drawn.x(drawn.now), high)], NOW_COLOR, WIDTH * scale)
@@ -123,6 +127,9 @@ class MOTUS_GT_walker_times(bpy.types.Gizmo):
                 place = drawn.x(end.seconds), drawn.y(step.leg)
                 colors = [RIM_COLOR, LIT if is_hovered else _color(owner, step)]
                 drawing.discs([place, place], [(RADIUS + RIM) * scale, RADIUS * scale], colors, corners=4)
+            if is_hovered:
+                frame = scene_time.time_line(context.scene, end.seconds * scene_time.fps(context.scene))
+                drawing.text([f"{frame:.1f}".rstrip("0").rstrip(".")], place[0] + 1.5 * RADIUS * scale, high + RADIUS * scale, scale)
         gpu.state.blend_set('NONE')
 
 

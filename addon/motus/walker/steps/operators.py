@@ -156,8 +156,8 @@ class MOTUS_OT_walker_step_time(OfAnObject, bpy.types.Operator):
     index: bpy.props.IntProperty(
         name="Index", description="Index of the step among the changed ones, in place of foot and frame", default=-1, options={'SKIP_SAVE'}
     )
-    touch: bpy.props.FloatProperty(name="Touchdown", description="Frame on which the foot touches the ground", options={'SKIP_SAVE'})
-    lift: bpy.props.FloatProperty(name="Lift-Off", description="Frame until which the foot stands", options={'SKIP_SAVE'})
+    touch: bpy.props.FloatProperty(name="Lands", description="Frame on which the foot touches the ground", options={'SKIP_SAVE'})
+    lift: bpy.props.FloatProperty(name="Lifts", description="Frame until which the foot stands", options={'SKIP_SAVE'})
     modes = OBJECT_OR_POSE_MODE
     needs_native = True
     redo = (Rows(tuple(Row(name, when=is_given(name)) for name in chart.MOMENTS)),)

@@ -41,14 +41,14 @@ struct Stand {
 };
 
 /// A foothold that is chosen by hand in place of the planned one: of the stand at a time, of which the body
-/// may rest for several cycles. A stand that is timed takes the places in the leg's cycles that are nearest to
-/// its moments: steps between are left out, and the leg's steps before and after make room.
+/// may rest for several cycles. A stand that is timed takes the places in the leg's cycles that are nearest
+/// to its moments: steps between are left out, and the leg's steps before and after make room.
 struct ChosenStep {
     std::size_t leg = 0;
     double time = 0.0;       ///< s, in the stand, or in the swing before it, as planned without any times
     glm::dvec3 offset{0.0};  ///< of the rest place below which ground is looked for, in the body's space
     double turn = 0.0;       ///< rad, of the sole about the ground's normal, counter-clockwise from above
-    std::optional<Stand> fixed{};  ///< the foot stands there whatever body and ground do, but for `turn`
+    std::optional<Stand> fixed{};   ///< the foot stands there whatever body and ground do, but for `turn`
     std::optional<double> touch{};  ///< s, when the foot touches down
     std::optional<double> until{};  ///< s, when it lifts again
 };

@@ -15,6 +15,9 @@ PADDING = 8.0
 BOX = 22.0
 """Width of a checkbox among the fields, or of the margins of an item in a row, in pixels at an interface scale of 1."""
 
+HEADER, ICON = 78.0, 22.0
+"""Width that a panel's header needs for its arrow, its grip and the tabs beside it, and of a button there, in pixels at an interface scale of 1."""
+
 
 def width():
     """Width of the region that is drawn, in pixels at an interface scale of 1.
@@ -35,6 +38,11 @@ def of_text(text):
 def label_fits(text):
     """Whether the region that is drawn has room for a label beside its field."""
     return width() > max(NARROW, MARGINS + (of_text(text) + PADDING) / LABELS)
+
+
+def title_fits(text, buttons):
+    """Whether the region that is drawn has room for the title of a panel beside so many buttons in its header."""
+    return width() > HEADER + of_text(text) + ICON * buttons
 
 
 def switch_fits(text):
