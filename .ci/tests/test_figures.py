@@ -242,6 +242,15 @@ class Browser(unittest.TestCase):
         self.assertAlmostEqual(end[0], start[0] - 60, delta=1.0)
         self.assertAlmostEqual(end[1], start[1] + 40, delta=1.0)
 
+    def test_a_depth_stays_under_the_mouse(self):
+        self.open("budget")
+        far = "MotusFigures.figures[0].values.far[0]"
+        place = "(() => { const box = document.querySelectorAll('.grip')[1].getBoundingClientRect(); return [box.x + 8, box.y + 8]; })()"
+        start, before = self.browser.run(place), self.browser.run(far)
+        self.browser.drag(start, (start[0] - 40, start[1]))
+        self.assertLess(self.browser.run(far), before)
+        self.assertAlmostEqual(self.browser.run(place)[0], start[0] - 40, delta=1.0)
+
     def test_reset_undoes_all(self):
         for name in NAMES:
             with self.subTest(name):
