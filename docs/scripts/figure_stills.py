@@ -13,8 +13,6 @@ ROOT = Path(__file__).resolve().parents[2]
 PICTURES = ROOT / "docs" / "pictures"
 SOURCES = ROOT / "docs" / "site" / "figures"
 WIDTH = 680
-FRAME = 22
-"""Pixels that a figure in a page is wider than its drawing."""
 PAGE = """<!doctype html><html lang="{language}"><meta charset="utf-8"><title>Figures</title><body data-md-color-scheme="{scheme}">
 <script src="{figures}/figures.js"></script>
 {elements}"""
@@ -47,7 +45,7 @@ def style():
 def stills(tab, folder, figures):
     """{name: picture as SVG} of all figures, drawn in a page in `folder`."""
     path = folder / "stills.html"
-    path.write_text(page(figures, names(), width=WIDTH + FRAME), encoding="utf-8")
+    path.write_text(page(figures, names()), encoding="utf-8")
     tab.set_viewport_size({"width": WIDTH + 200, "height": 900})
     moving(tab, path)
     found = {}
