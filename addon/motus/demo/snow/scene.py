@@ -34,7 +34,7 @@ LIFETIME = 14.0  # seconds until a flake has come down
 COVER = {"lump": 0.19, "resolution": 0.15, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.05}
 ROLL = (7.0, 0.2), (4.6, 1.6), (2.4, 2.2), (0.7, 3.6), (0.4, 6.6)
 """Points, x and y, between which the snowball rolls in a smooth curve."""
-ROLLS = 2.0, 9.0  # seconds of the scene
+ROLLS = 5.5, 9.6  # seconds of the scene
 BALL = 0.34, 0.66  # m, radius of the snowball before and after
 PRESSED = 0.02  # m, between the ball and the ground
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
