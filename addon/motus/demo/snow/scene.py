@@ -31,12 +31,12 @@ CLOUDS = (
 )
 AHEAD = 8.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
 LIFETIME = 14.0  # seconds until a flake has come down
-COVER = {"lump": 0.19, "resolution": 0.15, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.05}
+COVER = {"lump": 0.19, "resolution": 0.15, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.015}
 ROLL = (7.0, 0.2), (4.6, 1.6), (2.4, 2.2), (0.7, 3.6), (0.4, 6.6)
 """Points, x and y, between which the snowball rolls in a smooth curve."""
-ROLLS = 2.0, 9.0  # seconds of the scene
+ROLLS = 5.5, 9.6  # seconds of the scene
 BALL = 0.34, 0.66  # m, radius of the snowball before and after
-PRESSED = 0.02  # m, between the ball and the ground
+SUNK = 0.05  # m, by which the ball, soft as it is, is lower than the ground
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
 CAMERA_TRAVEL = 1.1  # m by which the camera moves to the left during the scene
 
@@ -85,7 +85,7 @@ def _add_snowball(scene, collection):
     # The points of the curve are closer to each other toward its ends, where the ball is slow.
     for number, (x, y) in enumerate(shapes.smooth_profile_points(ROLL, last - first + 1).tolist()):
         radius = BALL[0] + (BALL[1] - BALL[0]) * math.sqrt(number / (last - first))
-        place = Vector((x, y, terrain.ground_at(x, y) + radius + PRESSED))
+        place = Vector((x, y, terrain.ground_at(x, y) + radius - SUNK))
         if before is not None:
             step = place - before
             turned = Matrix.Rotation(step.length / radius, 3, Vector((-step.y, step.x, 0.0))) @ turned
