@@ -61,8 +61,8 @@ def _encode(frames, file, kilobits):
     settings = render.ffmpeg
     settings.format, settings.codec, settings.audio_codec = "WEBM", "WEBM", "NONE"
     settings.constant_rate_factor, settings.ffmpeg_preset = "NONE", "BEST"
-    settings.video_bitrate = settings.maxrate = round(kilobits)
-    settings.minrate = 0
+    settings.video_bitrate = round(kilobits)
+    settings.minrate = settings.maxrate = 0  # no limits: the first picture takes a third of the film
     settings.gopsize = len(frames)
     bpy.ops.render.render(animation=True, scene=scene.name)
     bpy.data.scenes.remove(scene)
