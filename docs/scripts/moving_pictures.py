@@ -14,7 +14,7 @@ import demo_film
 import demo_plan
 
 WIDTH = 480
-SAMPLES = 2  # of EEVEE; a frame takes about two seconds of a processor
+SAMPLES = 2  # of EEVEE; a frame takes two to eight seconds of a processor
 PER_SECOND = 12
 LARGEST = 160_000  # bytes of a film: twelve of them together have less than 2 MB
 EASING = 0.8  # of the bit rate, if a film has become too large
@@ -61,8 +61,8 @@ def _encode(frames, file, kilobits):
     settings = render.ffmpeg
     settings.format, settings.codec, settings.audio_codec = "WEBM", "WEBM", "NONE"
     settings.constant_rate_factor, settings.ffmpeg_preset = "NONE", "BEST"
-    settings.video_bitrate = settings.maxrate = round(kilobits)
-    settings.minrate = 0
+    settings.video_bitrate = round(kilobits)
+    settings.minrate = settings.maxrate = 0  # no limits: with one, the pictures after the first are blurred
     settings.gopsize = len(frames)
     bpy.ops.render.render(animation=True, scene=scene.name)
     bpy.data.scenes.remove(scene)

@@ -38,7 +38,7 @@ SCENES = (
         description="A wooden figure whose hand and eyes follow a butterfly, while its feet and other hand stay put, and a daisy that stretches toward it",
         stills=(("Lookout Camera", 3.05), ("Lookout Camera", 4.4), ("Lookout Camera", 0.6)),
         film=(0.0, 9.0),
-        loop=(1.0, 5.0),
+        loop=(1.0, 3.65),
         ambience=0.5,
     ),
     DemoScene(
@@ -79,7 +79,7 @@ SCENES = (
         description="Snow that falls on a village at dusk, whose roofs, trees and meadows turn white, without a cache",
         stills=(("Evening Camera", 9.0), ("Evening Camera", 3.0), ("Evening Camera", 0.4)),
         film=(0.0, 10.0),
-        loop=(5.0, 9.0),
+        loop=(5.0, 6.65),
         ambience=1.0,
     ),
     DemoScene(
@@ -89,7 +89,7 @@ SCENES = (
         description="An aeroplane between columns at several depths, filmed by a stereo camera that looks after it",
         stills=(("Stereo Camera", 4.0), ("Stereo Camera", 4.0), ("Stereo Camera", 7.4)),
         film=(1.5, 9.5),
-        loop=(4.0, 8.0),
+        loop=(4.0, 6.9),
         ambience=2.0,
         stereo=("LEAST_SQUARES", "SIDEBYSIDE", "VR180", "ANAGLYPH"),
     ),
@@ -100,7 +100,7 @@ SCENES = (
         description="A pilot who was filmed before a green screen stands among columns while his aeroplane passes",
         stills=(("Place Camera", 1.8), ("Place Camera", 2.2), ("Place Camera", 0.9)),
         film=(0.0, 71 / 24),
-        loop=(0.0, 71 / 24),
+        loop=(0.0, 2.0),
         ambience=2.0,
     ),
     DemoScene(
