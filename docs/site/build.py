@@ -1,6 +1,7 @@
 """Builds the manual's site, by Material for MkDocs: build.py MODULE COPIES SITE. `./motus docs site` runs it.
 
-MODULE is what figures compute with, motus.wasm; where it could not be built, their stills stay. A language is a site of its own, with its own search: English in the folder SITE itself, Spanish in its es/. Both are made from COPIES of the pages.
+MODULE is what figures compute with, motus.wasm; where it could not be built, their stills stay.
+A language is a site of its own, with its own search: English in the folder SITE itself, Spanish in its es/. Both are made from COPIES of the pages.
 """
 
 import json

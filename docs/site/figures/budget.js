@@ -39,10 +39,8 @@ MotusFigures.add("budget", {
     scene.line(line.filter(([, y]) => y >= bottom && y <= top), "thin");
     const ends = seen([near[0], far[0]]);
     scene.line(line.filter(([x]) => x >= near[0] && x <= far[0]), "first");
-    figure.values.near[1] = 100 * ends[0][0];
-    figure.values.far[1] = 100 * ends[1][0];
-    scene.handle("near", ([x]) => [Math.min(Math.max(x, 0.5), far[0] - 0.5), 0]);
-    scene.handle("far", ([x]) => [Math.max(x, near[0] + 0.5), 0]);
+    scene.handle("near", ([x]) => [Math.min(Math.max(x, 0.5), far[0] - 0.5), 0], [near[0], 100 * ends[0][0]]);
+    scene.handle("far", ([x]) => [Math.max(x, near[0] + 0.5), 0], [far[0], 100 * ends[1][0]]);
 
     const hall = figure.panel({
       box: [46, 280, wide - 58, 78],

@@ -177,9 +177,12 @@ const MotusFigures = (() => {
       return svg("image", given, this.figure.drawing);
     }
 
-    /** The handle of a value [x, y], which is dragged, or moved by the keys with arrows; `bound` brings a new value into its domain. */
-    handle(name, bound = (value) => value) {
-      this.figure.handleOf(name).put(this, bound);
+    /**
+     * The handle of a value [x, y], which is dragged, or moved by the keys with arrows. `bound` brings a new value into its domain; `at` is where
+     * the handle stands if that is not the value.
+     */
+    handle(name, bound = (value) => value, at = this.figure.values[name]) {
+      this.figure.handleOf(name).put(this, bound, at);
     }
   }
 
@@ -217,7 +220,7 @@ const MotusFigures = (() => {
         const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
         if (!way) return;
         const size = event.shiftKey ? 40 : 8;
-        const [right, down] = this.panel.place(figure.values[name]);
+        const [right, down] = this.panel.place(this.at);
         this.set(this.panel.inverse(right + way[0] * size, down + way[1] * size));
         event.preventDefault();
       });
@@ -227,13 +230,11 @@ const MotusFigures = (() => {
       this.figure.change(this.name, this.bound(value));
     }
 
-    put(panel, bound) {
-      this.panel = panel;
-      this.bound = bound;
-      const value = this.figure.values[this.name];
-      this.element.setAttribute("transform", `translate(${panel.place(value).map((one) => one.toFixed(1))})`);
-      this.element.setAttribute("aria-valuenow", value[0]);
-      this.element.setAttribute("aria-valuetext", value.map((one) => number(one)).join("; "));
+    put(panel, bound, at) {
+      Object.assign(this, { panel, bound, at });
+      this.element.setAttribute("transform", `translate(${panel.place(at).map((one) => one.toFixed(1))})`);
+      this.element.setAttribute("aria-valuenow", at[0]);
+      this.element.setAttribute("aria-valuetext", at.map((one) => number(one)).join("; "));
       this.element.style.display = "";
     }
   }
@@ -322,13 +323,13 @@ const MotusFigures = (() => {
     }
 
     change(name, value) {
-      this.values[name] = value;
-      this.inputs[name]?.(value);
-      this.definition.changed?.(this.values, name, this);
+      const before = { ...this.values };
+      this.set({ [name]: value });
+      this.definition.changed?.(this, name, before);
       this.draw();
     }
 
-    /** Sets several values as if by hand. */
+    /** Sets values, and shows them in their sliders. */
     set(values) {
       for (const [name, value] of Object.entries(values)) {
         this.values[name] = value;
@@ -355,18 +356,19 @@ const MotusFigures = (() => {
     }
   }
 
-  const script = (name) =>
+  /** Loads a file that stands beside this one, as what such an element names by `key`. */
+  const load = (tag, key, name, more = {}) =>
     new Promise((done, failed) => {
-      document.head.append(html("script", { src: `${folder}${name}`, onload: done, onerror: failed }));
+      document.head.append(html(tag, { [key]: `${folder}${name}`, onload: done, onerror: failed, ...more }));
     });
 
   /** Brings the page's figures to life. */
   async function start() {
     const found = [...document.querySelectorAll(".motus-figure[data-figure]:not(.moves)")];
     if (!found.length || typeof WebAssembly === "undefined") return;
-    document.head.append(html("link", { rel: "stylesheet", href: `${folder}figures.css` }));
-    const names = new Set(found.map((one) => one.dataset.figure));
-    await Promise.all(["motus.js", ...[...names].map((name) => `${name}.js`)].map(script));
+    const names = ["motus", ...new Set(found.map((one) => one.dataset.figure))];
+    const style = load("link", "href", "figures.css", { rel: "stylesheet" });
+    await Promise.all([style, ...names.map((name) => load("script", "src", `${name}.js`))]);
     const core = await Core.load();
     for (const element of found) figures.push(new Figure(element, definitions[element.dataset.figure], core));
     document.documentElement.dataset.motusFigures = figures.length;

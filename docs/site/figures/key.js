@@ -49,7 +49,7 @@
       gain: { label: ["Gain", "Ganancia"], from: 0, to: 3, step: 0.02, value: 1.2 },
     },
     handles: { place: { label: ["Place of the screen's colour", "Lugar del color de la pantalla"], value: [0.9, 0.9] } },
-    changed(values, name, figure) {
+    changed(figure, name) {
       if (name === "place") figure.set({ picked: 1 });
     },
     draw(figure, core, { picked, balance, gain, place }) {

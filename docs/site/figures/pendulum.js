@@ -20,17 +20,17 @@
       upper: { label: ["Start of the upper bob", "Inicio de la masa superior"], value: [0.94, 0.34] },
       lower: { label: ["Start of the lower bob", "Inicio de la masa inferior"], value: [1.58, 1.11] },
     },
-    changed(values, name, figure) {
-      const start = angle(values.upper);
-      const hanging = angle([values.lower[0] - figure.was[0], values.lower[1] - figure.was[1]]);
-      const [upper, lower] = hung(start, hanging, values.length);
-      figure.set({ upper, lower });
+    /** The lower rod keeps its angle when the upper bob is dragged. */
+    changed(figure, name, before) {
+      const { upper, lower, length } = figure.values;
+      const hanging = angle([lower[0] - before.upper[0], lower[1] - before.upper[1]]);
+      const places = hung(angle(upper), hanging, length);
+      figure.set({ upper: places[0], lower: places[1] });
       if (name === "upper" || name === "lower") figure.set({ time: 0 });
     },
     draw(figure, core, values) {
       const { number, range, rows } = MotusFigures;
       const { time, mass, length, upper, lower } = values;
-      figure.was = upper;
       const start = [angle(upper), angle([lower[0] - upper[0], lower[1] - upper[1]])];
       const far = length + 1.15;
       const panel = figure.panel({ box: [8, 8, figure.width - 16, figure.height - 16], x: [-far, far], y: [-far, far], equal: true, marks: false });

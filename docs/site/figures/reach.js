@@ -10,9 +10,10 @@ MotusFigures.add("reach", {
     softness: { label: ["Softness", "Suavidad"], from: 0, to: 0.6, step: 0.01, value: 0.1, unit: "m" },
   },
   handles: { target: { label: ["Target", "Objetivo"], value: [0.75, 0.7] } },
-  changed(values, name, figure) {
-    if (name === "least") figure.set({ most: Math.max(values.least, values.most) });
-    if (name === "most") figure.set({ least: Math.min(values.least, values.most) });
+  changed(figure, name) {
+    const { least, most } = figure.values;
+    if (name === "least") figure.set({ most: Math.max(least, most) });
+    if (name === "most") figure.set({ least: Math.min(least, most) });
   },
   draw(figure, core, { least, most, lower, softness, target }) {
     const { number, range, rows } = MotusFigures;
