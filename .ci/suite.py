@@ -85,7 +85,6 @@ def run_folder(folder, patterns=()):
     Those with the attribute that the environment variable MOTUS_LEAVE_OUT names are left out, and those that the journal has.
     """
     faulthandler.enable()  # a process that a signal ends says which test it was in
-    sys.dont_write_bytecode = True
     with bytecode.kept_for_children():
         return _run(folder, patterns)
 

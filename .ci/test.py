@@ -16,6 +16,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import blenders
+import bytecode
 import inside
 import released
 from broken import what_broke
@@ -149,7 +150,8 @@ def main():
     fuzzed = [topic for topic in FUZZED if not options.patterns and (options.all or any(part and part in f"fuzz {topic}" for part in only))]
     farm = ["farm"] if options.all or any(part and part in "farm" for part in only) else []
     configure(groups, farm=farm, elsewhere=elsewhere, fuzzed=fuzzed, patterns=options.patterns, **released.planned(only, options.all))
-    status = run_groups(only)
+    with bytecode.kept_for_children():
+        status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:
         sys.exit(f"motus: CTest has run no group (--only {options.only})")

@@ -181,14 +181,14 @@ def _render_marks(file):
             emitters=emitter.name,
             movers=",".join(one.name for one in movers),
             lump=0.08,
-            resolution=0.04,
-            smoothing=0.3,
+            resolution=0.05,
+            smoothing=0.16,
             packed=packed,
         )
         stage.add_text(label, Vector((x, -3.9, -0.6)), 0.42, LABEL)
     scene.frame_set(1)
     stage.add_camera(scene, (0.0, -17.0, 11.0), (0.0, 0.0, -0.1), width=22.5)
-    return stage.render(scene, file, (1280, 440), samples=64)
+    return stage.render(scene, file, (1280, 440), samples=40)
 
 
 def _roll(x, material):

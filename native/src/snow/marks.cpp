@@ -307,6 +307,8 @@ void Marks::press(double time, std::span<const float> depths, std::span<const fl
     require(shares.empty() || shares.size() == vertex_count(),
             "shares: must be as many as the vertices, or none");
     require(pressed.size() == vertex_count(), "pressed: must be as many as the vertices");
+    require(are_finite(depths), "depths: must be finite");
+    require(are_finite(shares), "shares: must be finite");
     in_ieee_floats([&] {
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const std::size_t vertex = vertices_[i];

@@ -265,6 +265,11 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
             if (i != stand.first) is_left_out[i] = 1;
         Footfall& fall = falls[stand.first];
         fall.planned = planned;
+        if (stand.first > first && !set.empty() && set.back().first == &falls[first].lift) {
+            // The swing begins at the moment that is set, however late it ends.
+            fall.lift_cycles = falls[first].lift_cycles;
+            set.back().first = &fall.lift;
+        }
         if (touches) keep(fall.touch, fall.touch_cycles, *step.touch);
         if (lifts && stand.end < falls.size())
             keep(falls[stand.end].lift, falls[stand.end].lift_cycles, *step.until);
@@ -289,9 +294,9 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
         while (next < falls.size() && is_left_out[next] != 0) ++next;
         Footfall& fall = falls[i];
         fall.until = next < falls.size() ? falls[next].lift : std::numeric_limits<double>::infinity();
-        const double end = is_whole && next < falls.size() && next > i + 1 ? falls[next].lift_cycles
-                                                                           : fall.lift_cycles + 1.0;
-        const bool stays = end == fall.lift_cycles + 1.0 && timing.shift(fall.touch_cycles) == 0.0 &&
+        const bool goes_on = is_whole && next < falls.size();
+        const double end = goes_on ? falls[next].lift_cycles : fall.touch_cycles + fall.pace.duty;
+        const bool stays = !(goes_on && next > i + 1) && timing.shift(fall.touch_cycles) == 0.0 &&
                            timing.shift(end) == 0.0;
         if (!stays) {
             const double middle = 0.5 * (timing.moved(fall.touch_cycles) + timing.moved(end));

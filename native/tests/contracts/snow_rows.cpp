@@ -351,10 +351,8 @@ void add_marks(Table& table, const SnowLayer& layer) {
         [](double time, const auto& given, const auto& shares, auto pressed) {
             marks.press(time, given, shares, pressed);
         },
-        arg("time", 1.0, finite()),
-        arg("depths", depths, any().open().in_words("any; NaN presses nothing"), as_many_as("the vertices")),
-        arg("shares", std::vector<float>(5, 0.5F), any().open().in_words("any; NaN presses nothing"),
-            as_many_or_none("the vertices")),
+        arg("time", 1.0, finite()), arg("depths", depths, finite().open(), as_many_as("the vertices")),
+        arg("shares", std::vector<float>(5, 0.5F), finite().open(), as_many_or_none("the vertices")),
         out<float>("pressed", 5, "the vertices"))
         .costs("O(marked vertices)");
     table.moved.push_back({"snow::Marks", "of no vertices", [] {

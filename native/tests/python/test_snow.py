@@ -236,6 +236,8 @@ class SnowTest(unittest.TestCase):
             (lambda: layer.mesh(depths * nan), "depths"),
             (lambda: layer.mesh(depths, -1.0), "thinnest"),
             (lambda: layer.mesh(depths, 0.0, 0.0), "steepest"),
+            (lambda: layer.mesh(depths, 0.0, 1.0, [1.0]), "left"),
+            (lambda: layer.mesh(depths, 0.0, 1.0, -depths), "left"),
             (lambda: native.refine([[0, 0, nan]], [], 1), "positions"),
             (lambda: native.refine([[0, 0, 0]], [[0, 0, 1]], 1), "triangles"),
             (lambda: native.refine(corners, triangles, 0), "longest_edge"),
@@ -243,6 +245,44 @@ class SnowTest(unittest.TestCase):
             (lambda: native.refine(corners, triangles, 1, -1), "most_vertices"),
         ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                call()
+
+    def test_marks(self):
+        corners, triangles, _ = native.refine([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]], 0.1)
+        layer, count = native.SnowLayer(corners, triangles), len(corners)
+        sole = native.SnowCollider([[0, 0, 0], [0.5, 0, 0], [0, 0.5, 0]], [[0, 2, 1]])
+        matrix = np.eye(4)
+        matrix[:3, 3] = 0.25, 0.25, 0.03
+        movers, times, heights = [(sole, [1.0], matrix[None])], [0.0, 2.0], np.full((2, count), 0.1)
+        marks = native.SnowMarks(layer, movers, times, heights)
+        self.assertEqual(marks.vertex_count, count)
+        found = marks.pressed(1.0, heights[0])
+        self.assertEqual((found.dtype, found.shape), (np.float32, (count,)))
+        self.assertEqual(np.count_nonzero(found), marks.marked_count)
+        np.testing.assert_allclose(found[found > 0.0], 0.07, atol=1e-6)
+        left = layer.mesh(heights[0], 0.0, None, 1.0 - found / heights[0])["depth"]
+        self.assertAlmostEqual(float(left[left > 0.0].min()), 0.03, places=6)
+        packed = native.SnowMarks(layer, movers, times, heights, packed=0.05, step=0.2)
+        self.assertAlmostEqual(float(packed.pressed(1.0, heights[0], np.ones(count)).max()), 0.05, places=6)
+        nan = float("nan")
+        for call, name in (
+            (lambda: native.SnowMarks(layer, [(sole, [1.0, 0.0], [matrix, matrix])], times, heights), "movers"),
+            (lambda: native.SnowMarks(layer, movers, [2.0, 0.0], heights), "times"),
+            (lambda: native.SnowMarks(layer, movers, times, heights[0]), "heights"),
+            (lambda: native.SnowMarks(layer, movers, times, heights[:1]), "heights"),
+            (lambda: native.SnowMarks(layer, movers, times, heights, packed=-1.0), "packed"),
+            (lambda: native.SnowMarks(layer, movers, times, heights, step=0.0), "step"),
+            (lambda: marks.pressed(nan, heights[0]), "time"),
+            (lambda: marks.pressed(1.0, [nan]), "depths"),
+            (lambda: marks.pressed(1.0, heights[0], [1.0]), "shares"),
+        ):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                call()
+        for call, name in (
+            (lambda: native.SnowMarks(1, movers, times, heights), "layer"),
+            (lambda: native.SnowMarks(layer, 1, times, heights), "movers"),
+        ):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
                 call()
 
     def test_errors_of_collisions_name_the_argument(self):

@@ -163,6 +163,26 @@ TEST_CASE("a foot that stands for more than a cycle misses steps", "[timed]") {
     }
 }
 
+TEST_CASE("a swing between two moments that are set is as long as they say", "[timed]") {
+    const Walker planned = walking(std::vector<ChosenStep>{});
+    const auto before = planned.steps(leg);
+    const Footstep step = before[row], next = before[row + 1];
+    const double cycle = next.lift - step.lift;
+    for (const double later : {-0.2, 0.3, 0.6, 1.0, 1.4, 2.6}) {
+        const double touch = next.touch + later * cycle;
+        const Walker walker =
+            walking({timed(step, std::nullopt, next.lift), timed(next, touch, std::nullopt)});
+        const auto steps = walker.steps(leg);
+        CHECK(steps[row + 1].lift == next.lift);
+        CHECK(steps[row + 1].touch == touch);
+        CHECK(steps[row + 1].planned == next.planned);
+        CHECK(walker.problems().empty());
+        CHECK(is_same(steps[row - 1], before[row - 1]));
+        CHECK(is_same(steps.back(), before.back()));
+        check_walks(walker);
+    }
+}
+
 TEST_CASE("moments that cannot be are told, and left out", "[timed]") {
     const Walker planned = walking(std::vector<ChosenStep>{});
     const auto before = planned.steps(leg);

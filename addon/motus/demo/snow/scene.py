@@ -31,12 +31,12 @@ CLOUDS = (
 )
 AHEAD = 8.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
 LIFETIME = 14.0  # seconds until a flake has come down
-COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.05}
-ROLL = (7.0, 0.2), (4.6, 1.6), (2.4, 2.2), (0.9, 3.8), (1.0, 6.4)
+COVER = {"lump": 0.19, "resolution": 0.15, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.05}
+ROLL = (7.0, 0.2), (4.6, 1.6), (2.4, 2.2), (0.7, 3.6), (0.4, 6.6)
 """Points, x and y, between which the snowball rolls in a smooth curve."""
 ROLLS = 2.0, 9.0  # seconds of the scene
-BALL = 0.24, 0.46  # m, radius of the snowball before and after
-PRESSED = 0.08  # m, between the ball and the ground
+BALL = 0.34, 0.66  # m, radius of the snowball before and after
+PRESSED = 0.02  # m, between the ball and the ground
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
 CAMERA_TRAVEL = 1.1  # m by which the camera moves to the left during the scene
 

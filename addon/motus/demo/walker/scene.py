@@ -21,6 +21,8 @@ YOUNG = (
     (0.40, 1.25, 0.26, (0.75, 0.10, 0.02, 1.0)),
     (0.36, 1.62, -0.12, (0.85, 0.52, 0.08, 1.0)),
 )
+# The mother feels for the wall with a front leg, which leaves the ground and lands on frames of its own: (frame of the step, when).
+FEELING, FEELER = ((155, {"lift": 160.0}), (166, {"touch": 174.0})), "foot 1.L"
 SKY_STOPS = ((0.0, (0.80, 0.62, 0.44)), (0.10, (0.62, 0.66, 0.68)), (0.35, (0.28, 0.44, 0.66)), (1.0, (0.08, 0.20, 0.46)))
 VIEWS = (("AgX", "AgX - Punchy", 0.75), ("Filmic", "High Contrast", 0.25), ("Filmic", "Filmic - High Contrast", 0.25))
 LENS = 34.0
@@ -41,6 +43,8 @@ def build(context):
     garden.build(land, plants)
     context.view_layer.active_layer_collection = context.view_layer.layer_collection.children[beasts.name]
     mother = _add_spider(beasts, land, "Spider", SPAN, START, 0.0, (0.72, 0.15, 0.015, 1.0))
+    for frame, moment in FEELING:
+        _check(bpy.ops.motus.walker_step_time(object=mother.name, foot=FEELER, frame=frame, **moment))
     for index, (span, behind, aside, color) in enumerate(YOUNG):
         _add_spider(beasts, land, f"Young {index + 1}", span, START - behind, aside, color)
     toys.build(beasts, views)

@@ -46,8 +46,8 @@ class Marks {
 
     /// Raises `pressed`, m, one for each vertex, to what movers have pressed away until `time`. `depths`: the
     /// heights at that time. `shares`: of the heights that lie there, [0, 1], for all times; empty where that
-    /// is all: what is pressed away is as much of the whole height. Throws std::invalid_argument where time
-    /// is not finite, or there is not a number for each vertex.
+    /// is all: what is pressed away is as much of the whole height. Throws std::invalid_argument where the
+    /// time, a depth or a share is not finite, or there is not one for each vertex.
     void press(double time, std::span<const float> depths, std::span<const float> shares,
                std::span<float> pressed) const;
 
