@@ -79,7 +79,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
     filter_movie: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     filter_folder: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     underneath: bpy.props.EnumProperty(
-        name="Underneath", description="Picture that shows where the screen was", items=UNDERNEATH, default='RENDER'
+        name="Underneath", description="What lies behind the subject, where the screen was", items=UNDERNEATH, default='RENDER'
     )
     view: bpy.props.EnumProperty(name="View", description="Picture that the compositor shows", items=VIEWS, default=group.COMPOSITE)
     use_scene: bpy.props.BoolProperty(
@@ -120,7 +120,9 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
     gain: _number("gain")
     core: _number("core")
     despill_limit: bpy.props.EnumProperty(
-        name="Despill Limit", description="What the screen's channel is limited by on the subject", items=LIMITS
+        name="Despill Limit",
+        description="What limits the screen's green or blue on the subject, from the two other colors of each pixel",
+        items=LIMITS,
     )
     luminance: _number("luminance")
     light_wrap: bpy.props.FloatProperty(

@@ -77,7 +77,7 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     )
     underneath: bpy.props.EnumProperty(
         name="Underneath",
-        description="Picture that shows where the screen was",
+        description="What lies behind the subject, where the screen was",
         items=UNDERNEATH,
         get=_underneath,
         set=_lay_underneath,
@@ -85,7 +85,7 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     )
     despill_limit: bpy.props.EnumProperty(
         name="Despill Limit",
-        description="What the screen's channel is limited by on the subject",
+        description="What limits the screen's green or blue on the subject, from the two other colors of each pixel",
         items=LIMITS,
         get=_limit,
         set=_set_limit,

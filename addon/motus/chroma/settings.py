@@ -94,7 +94,14 @@ OF_KEYING = (
         0.0,
         1.0,
     ),
-    Setting("limit", "Despill Limit", "What the screen's channel is limited by on the subject", 0.0, 0.0, 1.0),
+    Setting(
+        "limit",
+        "Despill Limit",
+        "What limits the screen's green or blue on the subject, from the two other colors of each pixel",
+        0.0,
+        0.0,
+        1.0,
+    ),
     Setting("luminance", "Keep Light", "Share of the light removed by despill that is added again as grey", 1.0, 0.0, 1.0),
 )
 BY_KEYWORD = {one.keyword: one for one in OF_KEYING}

@@ -95,10 +95,18 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         options={'SKIP_SAVE'},
     )
     stiffness: bpy.props.FloatProperty(
-        name="Stiffness", description="Stiffness of the spring, in N/m", default=100.0, min=1e-6, options={'SKIP_SAVE'}
+        name="Stiffness",
+        description="Stiffness of the spring, in N/m: a stiffer one swings more quickly",
+        default=100.0,
+        min=1e-6,
+        options={'SKIP_SAVE'},
     )
     resistance: bpy.props.FloatProperty(
-        name="Resistance", description="Damping of the damper, in N·s/m", default=5.0, min=0.0, options={'SKIP_SAVE'}
+        name="Resistance",
+        description="Resistance of the damper, in N·s/m: a larger one ends the swinging sooner",
+        default=5.0,
+        min=0.0,
+        options={'SKIP_SAVE'},
     )
 
     @classmethod

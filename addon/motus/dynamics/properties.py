@@ -51,7 +51,7 @@ class DynamicsKeywords:
 
     follow: bpy.props.EnumProperty(
         name="Follow",
-        description="Motion that the dynamics follow",
+        description="Motion that is followed: the thing's own, or that through the world, of its parents too",
         items=FOLLOWS,
         default='OWN',
         update=rewire,
@@ -60,7 +60,7 @@ class DynamicsKeywords:
     )
     channels: bpy.props.EnumProperty(
         name="Channels",
-        description="Channels that the dynamics act on",
+        description="What follows with lag and swing: location, rotation, scale",
         items=CHANNELS,
         options={'ENUM_FLAG'},
         default={'LOCATION', 'ROTATION'},
@@ -99,7 +99,14 @@ class DynamicsKeywords:
         step=5,
     )
     delay: _number(
-        "Delay", "Time by which the motion follows later", 0.0, min=0.0, max=3600.0, soft_max=1.0, unit='TIME_ABSOLUTE', precision=3
+        "Delay",
+        "Time after which the dynamics follow the animation",
+        0.0,
+        min=0.0,
+        max=3600.0,
+        soft_max=1.0,
+        unit='TIME_ABSOLUTE',
+        precision=3,
     )
     weight: bpy.props.FloatProperty(
         name="Weight",
@@ -186,7 +193,7 @@ class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
     )
     overshoot: _seen(
         "Overshoot",
-        "How far the motion goes beyond a step, as a part of the step",
+        "How far the motion goes beyond where it has to stop, as a part of the way there",
         "overshoot",
         min=0.0,
         max=0.95,
@@ -195,7 +202,7 @@ class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
     )
     settling: _seen(
         "Settling",
-        "Time until the motion stays within a fiftieth of a step",
+        "Time until the motion has come to rest, but for a fiftieth of the way",
         "settling",
         min=filters.LEAST_SETTLING,
         max=filters.GREATEST_SETTLING,
@@ -203,8 +210,22 @@ class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
         unit='TIME_ABSOLUTE',
         precision=3,
     )
-    stiffness: _seen("Stiffness", "Stiffness of the spring, in N/m", "stiffness", min=1e-6, soft_max=1000.0, precision=2)
-    resistance: _seen("Resistance", "Damping of the damper, in N·s/m", "resistance", min=0.0, soft_max=100.0, precision=2)
+    stiffness: _seen(
+        "Stiffness",
+        "Stiffness of the spring, in N/m: a stiffer one swings more quickly",
+        "stiffness",
+        min=1e-6,
+        soft_max=1000.0,
+        precision=2,
+    )
+    resistance: _seen(
+        "Resistance",
+        "Resistance of the damper, in N·s/m: a larger one ends the swinging sooner",
+        "resistance",
+        min=0.0,
+        soft_max=100.0,
+        precision=2,
+    )
     is_muted: bpy.props.BoolProperty(
         name="Mute",
         description="Switch the dynamics of this entry off",

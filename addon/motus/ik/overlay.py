@@ -109,7 +109,7 @@ def _lines(points, color, width):
 overlay = Overlay(
     _batches,
     (
-        Switch("show_reach", "Reach", "Draw how far a chain reaches, and how near"),
+        Switch("show_reach", "Reach", "Draw between which distances a chain can reach"),
         Switch("show_pole", "Pole", "Draw the line from the middle of a chain to its pole"),
         Switch("show_limits", "Joint Limits", "Draw how far the joints of a chain may swing and twist"),
         Switch("show_residual", "What Is Missing", "Draw what is left between the end of a chain and its target"),

@@ -58,7 +58,7 @@ class LookAtKeywords:
     use_saccades: switch("Saccades", "Let the eyes jump a little about what they look at, as those of people do", update=rewire)
     saccade_amplitude: number(
         "Amplitude",
-        "Largest angle between the target and where the eyes look",
+        "How far the eyes look past the target, at most, when they jump",
         math.radians(2.0),
         ANIMATED,
         min=0.0,
@@ -83,7 +83,14 @@ class LookAtKeywords:
         subtype='ANGLE',
         update=rewire,
     )
-    eyes_seed: whole("Seed", "Each seed has the eyes move by themselves at different times", 0, tells_no_keys=True, min=0, update=rewire)
+    eyes_seed: whole(
+        "Seed",
+        "Number from which the times of jumps and blinks follow: give each character another one",
+        0,
+        tells_no_keys=True,
+        min=0,
+        update=rewire,
+    )
     forward: _axis("Forward", "Axis of the rig that points where the character faces at rest", AXES, facing.FORWARD)
     up: _axis("Up", "Axis of the rig that points from the feet to the head at rest", AXES, facing.UP)
     head_forward: _axis("Head Forward", "Axis of the head bone that points where the face looks", FORWARDS, 'AUTO')
@@ -101,7 +108,7 @@ class MOTUS_PG_look_at_lid(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Eyelid", description="Bone of the eyelid, below the head", update=rewire, override=OVERRIDABLE)
     angle: number(
         "Angle",
-        "Turn about the bone's X axis that shuts the eye",
+        "Angle about the bone's X axis by which this eyelid shuts the eye",
         math.radians(40.0),
         tells_no_keys=True,
         min=-math.pi,

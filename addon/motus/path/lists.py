@@ -31,7 +31,11 @@ class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the object; empty takes the active one")
     frame: bpy.props.FloatProperty(name="Frame", description="Frame at which the object is at the pin's place", options={'SKIP_SAVE'})
-    fraction: bpy.props.FloatProperty(name="Fraction", description="Fraction of the path's length", options={'SKIP_SAVE'})
+    fraction: bpy.props.FloatProperty(
+        name="Fraction",
+        description="Where the object is at the pin's frame: 0 at the start of the path, 1 at its end",
+        options={'SKIP_SAVE'},
+    )
     distance: bpy.props.FloatProperty(
         name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options={'SKIP_SAVE'}
     )
@@ -103,7 +107,13 @@ class MOTUS_OT_path_speed_add(Operator, bpy.types.Operator):
     distance: bpy.props.FloatProperty(
         name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options={'SKIP_SAVE'}
     )
-    speed: bpy.props.FloatProperty(name="Speed", description="Speed at this place", min=SLOWEST, unit='VELOCITY', options={'SKIP_SAVE'})
+    speed: bpy.props.FloatProperty(
+        name="Speed",
+        description="Speed of the object at this place; on the way to the next place it changes evenly",
+        min=SLOWEST,
+        unit='VELOCITY',
+        options={'SKIP_SAVE'},
+    )
     redo = (Rows(("distance", "speed")),)
 
     def run(self, context):

@@ -198,9 +198,9 @@ overlay = Overlay(
     _batches,
     (
         Switch("show_curve", "Curve", "Draw the curve that is followed"),
-        Switch("show_control_points", "Control Points", "Draw the control polygon"),
-        Switch("show_tangents", "Tangents", "Draw the tangent at equal distances", default=False),
-        Switch("show_frames", "Path Frames", "Draw the orientation at equal distances"),
+        Switch("show_control_points", "Control Points", "Draw the points of the curve, with the lines between them"),
+        Switch("show_tangents", "Tangents", "Draw the direction of travel at equal distances along the path", default=False),
+        Switch("show_frames", "Path Frames", "Draw at equal distances along the path which way is ahead, to the right and up"),
         Switch("show_bogies", "Bogies", "Draw the points of the path that carry wagons"),
         Switch("show_speed", "Speed", "Colour the curve by the follower's speed"),
     ),

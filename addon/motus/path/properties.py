@@ -108,11 +108,11 @@ class FollowKeywords:
         options=ANIMATED,
         override=OVERRIDABLE,
     )
-    timing: choice("Timing", "What sets the position at a time", TIMINGS, 'DURATION')
+    timing: choice("Timing", "What says where the object is at a time: a duration, a speed, pins, or keys of your own", TIMINGS, 'DURATION')
     duration: _number("Duration", "Time for the whole path", 5.0, min=1e-4, soft_min=0.1, soft_max=60.0, subtype='TIME_ABSOLUTE')
     speed: _number("Speed", "Distance per second; negative goes backwards", 5.0, soft_min=0.0, soft_max=100.0, unit='VELOCITY')
     start_frame: _number("Start", "Frame at which the motion starts", 1.0, step=100)
-    offset: _number("Offset", "Distance ahead along the path", 0.0, subtype='DISTANCE')
+    offset: _number("Offset", "Distance by which the object is ahead along the path; negative for behind", 0.0, subtype='DISTANCE')
     distance_factor: _number(
         "Fraction", "Fraction of the path's length at which the object is", 0.0, soft_min=0.0, soft_max=1.0, subtype='FACTOR'
     )
@@ -123,10 +123,12 @@ class FollowKeywords:
     ease_out: _number(
         "Ease Out", "Fraction of the time that is used to lose speed", 0.0, min=0.0, max=1.0, subtype='FACTOR', update=_push_ease_in
     )
-    extend: choice("Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
-    pins_by: choice("Pins By", "What the pins give", PIN_UNITS, 'FRACTION')
+    extend: choice("Ends", "What the object does before the start and after the end of the path", EXTENDS, 'CLAMP')
+    pins_by: choice("Pins By", "Whether the pins give fractions of the path's length, or distances from its start", PIN_UNITS, 'FRACTION')
 
-    orientation: choice("Orientation", "Direction in which the object's up axis points", ORIENTATIONS, 'WORLD_UP', update=rewire)
+    orientation: choice(
+        "Orientation", "Whether the object turns along the path, and which way is up for it", ORIENTATIONS, 'WORLD_UP', update=rewire
+    )
     curvature_outward: bpy.props.BoolProperty(
         name="Outward",
         description="Up points away from the centre of the bend",
@@ -138,16 +140,45 @@ class FollowKeywords:
     forward_axis: choice("Forward", "Axis of the object that points along the path", AXES, 'POS_Y')
     up_axis: choice("Up", "Axis of the object that points up", AXES, 'POS_Z')
     lag_rate: _number(
-        "Lag", "Rate, per second and unit of curvature, at which the orientation trails behind; 0 is exact", 0.0, min=0.0, soft_max=10.0
+        "Lag",
+        "How quickly the orientation follows in bends, per second and bend: small values trail far behind; 0 follows at once",
+        0.0,
+        min=0.0,
+        soft_max=10.0,
     )
-    lag_by: choice("Lag By", "What the rate of the lag is proportional to", LAGS, 'ACCELERATION')
+    lag_by: choice("Lag By", "What counts as a bend for Lag: the shape alone, or the curve's size and handles too", LAGS, 'ACCELERATION')
 
     bank_strength: _number(
-        "Strength", "Factor on the bank: 1 is that of an aircraft, and negative leans outward", 1.0, soft_min=0.0, soft_max=3.0
+        "Strength",
+        "How much the object leans into bends: 1 as an aircraft does, 0 not at all, negative outward",
+        1.0,
+        soft_min=0.0,
+        soft_max=3.0,
     )
-    bank_limit: _number("Limit", "Largest roll; 180 degrees is no limit", 3.1415927, min=0.0, max=3.1415927, subtype='ANGLE')
-    bank_smoothing: _number("Smoothing", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
-    gravity: _number("Gravity", "Acceleration that the bank is measured against", 9.81, min=1e-3, soft_max=30.0, unit='ACCELERATION')
+    bank_limit: _number(
+        "Limit",
+        "Largest angle by which the object leans into bends; 180 degrees is no limit",
+        3.1415927,
+        min=0.0,
+        max=3.1415927,
+        subtype='ANGLE',
+    )
+    bank_smoothing: _number(
+        "Smoothing",
+        "Length of path over which bends are averaged, so that the object leans into them softly",
+        0.0,
+        min=0.0,
+        soft_max=50.0,
+        subtype='DISTANCE',
+    )
+    gravity: _number(
+        "Gravity",
+        "Gravity that the object leans against in bends: the weaker it is, the more it leans",
+        9.81,
+        min=1e-3,
+        soft_max=30.0,
+        unit='ACCELERATION',
+    )
     space: choice("Space", "Space in which up and gravity are meant, if the path itself is moved", SPACES, 'WORLD')
     rail_spline: whole("Rail Spline", "Index of the rail's spline; -1 takes all of them, one after another", 0, options=ANIMATED, min=-1)
     rail_by: choice("Rail By", "Which point of the rail belongs to a place on the path", RAIL_POINTS, 'SHARE')
@@ -155,7 +186,7 @@ class FollowKeywords:
 
     side: _number("Side", "Distance to the right of the path; the speed along the path stays the same", 0.0, subtype='DISTANCE')
     height: _number("Height", "Distance above the path; the speed along the path stays the same", 0.0, subtype='DISTANCE')
-    side_by: choice("Side By", "What Side and Height are measured along", SIDES_BY, 'FRAME')
+    side_by: choice("Side By", "Whether Side and Height lean along with the object", SIDES_BY, 'FRAME')
     wheelbase: _number(
         "Wheelbase",
         "Straight distance between two points of the path that carry the object, as the bogies of a wagon do; 0 is one point",
@@ -202,7 +233,7 @@ class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
     )
     fraction: bpy.props.FloatProperty(
         name="Fraction",
-        description="Fraction of the path's length",
+        description="Where the object is at the pin's frame: 0 at the start of the path, 1 at its end",
         subtype='FACTOR',
         soft_min=0.0,
         soft_max=1.0,
@@ -222,7 +253,14 @@ class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
 
 class MOTUS_PG_path_speed(bpy.types.PropertyGroup):
     distance: number("Distance", "Distance from the start of the path", 0.0, subtype='DISTANCE')
-    speed: number("Speed", "Speed at this place", 5.0, min=SLOWEST, soft_max=100.0, unit='VELOCITY')
+    speed: number(
+        "Speed",
+        "Speed of the object at this place; on the way to the next place it changes evenly",
+        5.0,
+        min=SLOWEST,
+        soft_max=100.0,
+        unit='VELOCITY',
+    )
 
 
 class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
@@ -283,7 +321,7 @@ class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
     active_pin: bpy.props.IntProperty(name="Active Pin", options=set())
     speeds: bpy.props.CollectionProperty(type=MOTUS_PG_path_speed, name="Speeds", override=EXTENDABLE)
     active_speed: bpy.props.IntProperty(name="Active Speed", options=set())
-    gaps_by: choice("Gaps By", "What the wagons of the train keep", GAP_UNITS, 'DISTANCE')
+    gaps_by: choice("Gaps By", "Whether the wagons of a train keep a distance or a time to the object in front", GAP_UNITS, 'DISTANCE')
     wagons: bpy.props.CollectionProperty(type=MOTUS_PG_path_wagon, name="Wagons", override=EXTENDABLE)
     active_wagon: bpy.props.IntProperty(name="Active Wagon", options=set())
     gap_of_all: bpy.props.FloatProperty(
@@ -304,7 +342,7 @@ class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
     )
     wheelbase_of_all: bpy.props.FloatProperty(
         name="Wheelbase of All",
-        description="Wheelbase of the leader and of all wagons",
+        description="Straight distance between the two points of the path that carry the leader, and each wagon; 0 is one point",
         min=0.0,
         subtype='DISTANCE',
         options={'SKIP_SAVE'},

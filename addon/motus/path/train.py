@@ -36,7 +36,7 @@ class MOTUS_OT_path_train_add(FindsValues, NewFollowKeywords, bpy.types.Operator
         subtype='DISTANCE',
     )
 
-    gaps_by: choice("Gaps By", "What the wagons of the train keep", GAP_UNITS, 'DISTANCE')
+    gaps_by: choice("Gaps By", "Whether the wagons of a train keep a distance or a time to the object in front", GAP_UNITS, 'DISTANCE')
     delay: bpy.props.FloatProperty(
         name="Delay", description="Seconds from each object to the next", default=DEFAULT_DELAY, min=0.0, subtype='TIME_ABSOLUTE'
     )

@@ -59,7 +59,11 @@ class BrushKeywords:
         options=set(),
     )
     unit: bpy.props.EnumProperty(
-        name="Unit", description="Space in which lengths and directions are given", items=UNITS, default='WORLD', options=set()
+        name="Unit",
+        description="Whether radius, strength and directions are those of the world, or of the object with its scale",
+        items=UNITS,
+        default='WORLD',
+        options=set(),
     )
     strength: bpy.props.FloatProperty(
         name="Strength",
@@ -79,10 +83,19 @@ class BrushKeywords:
         update=lambda settings, context: _ensure_curve(settings),
     )
     scale_factor: bpy.props.FloatProperty(
-        name="Scale Factor", description="Steepness of the classic falloff", default=0.0, soft_min=-10.0, soft_max=10.0, options=set()
+        name="Scale Factor",
+        description="How steep the falloff Classic is: 0 is the least steep, and larger numbers, negative ones too, are steeper",
+        default=0.0,
+        soft_min=-10.0,
+        soft_max=10.0,
+        options=set(),
     )
     distance: bpy.props.EnumProperty(
-        name="Distance", description="How the distance to the root is measured", items=DISTANCES, default='STRAIGHT', options=set()
+        name="Distance",
+        description="How the distance from the vertex that is pulled is measured, by which the others come along",
+        items=DISTANCES,
+        default='STRAIGHT',
+        options=set(),
     )
     weld: bpy.props.FloatProperty(
         name="Weld Distance",
@@ -96,7 +109,7 @@ class BrushKeywords:
         options=set(),
     )
     direction: bpy.props.EnumProperty(
-        name="Direction", description="Direction of the pull", items=DIRECTIONS, default='NORMAL', options=set()
+        name="Direction", description="Direction in which the surface is pulled", items=DIRECTIONS, default='NORMAL', options=set()
     )
     accumulate: bpy.props.BoolProperty(
         name="Accumulate",
@@ -111,13 +124,17 @@ class BrushKeywords:
         default=set(),
         options={'ENUM_FLAG'},
     )
-    use_minimum: bpy.props.BoolProperty(name="Use Minimum", description="Nothing is moved below a height", default=False, options=set())
-    minimum: bpy.props.FloatProperty(
-        name="Minimum", description="Lowest height of moved vertices", default=-1.0, subtype='DISTANCE', options=set()
+    use_minimum: bpy.props.BoolProperty(
+        name="Use Minimum", description="Leave vertices alone that lie below a height", default=False, options=set()
     )
-    use_maximum: bpy.props.BoolProperty(name="Use Maximum", description="Nothing is moved above a height", default=False, options=set())
+    minimum: bpy.props.FloatProperty(
+        name="Minimum", description="Height below which vertices are not moved", default=-1.0, subtype='DISTANCE', options=set()
+    )
+    use_maximum: bpy.props.BoolProperty(
+        name="Use Maximum", description="Leave vertices alone that lie above a height", default=False, options=set()
+    )
     maximum: bpy.props.FloatProperty(
-        name="Maximum", description="Largest height of moved vertices", default=1.0, subtype='DISTANCE', options=set()
+        name="Maximum", description="Height above which vertices are not moved", default=1.0, subtype='DISTANCE', options=set()
     )
     clamp_axis: bpy.props.EnumProperty(
         name="Height Axis", description="Axis along which the height is measured", items=AXES, default='Z', options=set()

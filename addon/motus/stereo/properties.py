@@ -50,15 +50,45 @@ class StereoKeywords:
         precision=4,
         step=0.1,
     )
-    distance: _number("Distance", "Distance from the camera to the screen", 2.0, min=0.0, soft_min=0.1, soft_max=1000.0, subtype='DISTANCE')
+    distance: _number(
+        "Distance",
+        "Distance from the camera at which things lie on the screen; nearer ones come out of it, farther ones lie behind",
+        2.0,
+        min=0.0,
+        soft_min=0.1,
+        soft_max=1000.0,
+        subtype='DISTANCE',
+    )
     near: _number(
-        "Near", "Depth of the nearest thing that counts for the budget", 2.0, min=0.0, soft_min=0.01, soft_max=1000.0, subtype='DISTANCE'
+        "Near",
+        "Distance from the camera to the nearest thing that counts for the depth budget: it gets Near Parallax",
+        2.0,
+        min=0.0,
+        soft_min=0.01,
+        soft_max=1000.0,
+        subtype='DISTANCE',
     )
     far: _number(
-        "Far", "Depth of the farthest thing that counts for the budget", 10.0, min=0.0, soft_min=0.01, soft_max=10000.0, subtype='DISTANCE'
+        "Far",
+        "Distance from the camera to the farthest thing that counts for the depth budget: it gets Far Parallax",
+        10.0,
+        min=0.0,
+        soft_min=0.01,
+        soft_max=10000.0,
+        subtype='DISTANCE',
     )
-    near_parallax: _parallax("Near Parallax", "Largest parallax in front of the screen, in percent of the image's width", 1.0, max=100.0)
-    far_parallax: _parallax("Far Parallax", "Largest parallax behind the screen, in percent of the image's width", 2.0, max=100.0)
+    near_parallax: _parallax(
+        "Near Parallax",
+        "How far both eyes' pictures of the nearest thing are apart, in front of the screen, in percent of the image's width",
+        1.0,
+        max=100.0,
+    )
+    far_parallax: _parallax(
+        "Far Parallax",
+        "How far both eyes' pictures of the farthest thing are apart, behind the screen, in percent of the image's width",
+        2.0,
+        max=100.0,
+    )
     screen: bpy.props.EnumProperty(
         name="Screen",
         description="Screen that the audience looks at; warnings are about this screen",

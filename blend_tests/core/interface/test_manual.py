@@ -1,7 +1,8 @@
 """The manual from Blender: each operator and each setting has its place there, and the place is opened in the user's language."""
 
 import ast
-import json
+import importlib
+import sys
 import unittest
 import webbrowser
 from pathlib import Path
@@ -22,10 +23,10 @@ def places():
     return dict(module().manual_map()[1])
 
 
-def settings_of_page(page):
-    """Names of the settings that docs/settings.json has for a page, as places write them."""
-    groups = json.loads((support.CLONE / "docs" / "settings.json").read_text(encoding="utf-8"))["systems"].get(page, ())
-    return {f"{group['struct']}.{setting['id']}".lower() for group in groups for setting in group["settings"]}
+def site(name):
+    """A module of the manual's site, which is plain Python."""
+    with mock.patch.object(sys, "path", [str(support.CLONE / "docs" / "site"), *sys.path]):
+        return importlib.import_module(name)
 
 
 def groups():
@@ -37,36 +38,44 @@ def groups():
 
 class PlacesTest(support.SceneTestCase):
     def test_each_operator_has_its_section(self):
-        page = (support.CLONE / "docs" / "operators.md").read_text(encoding="utf-8")
-        found = places()
+        found, anchors = places(), site("content").anchors(support.CLONE)
         for name in dir(bpy.ops.motus):
-            self.assertEqual(found[f"bpy.ops.motus.{name}"], f"operators.html#motus.{name}")
-            operator = getattr(bpy.types, f"MOTUS_OT_{name}")
-            self.assertTrue('INTERNAL' in operator.bl_options or f"\n## `motus.{name}`\n" in page, name)
+            place = found[f"bpy.ops.motus.{name}"]
+            self.assertEqual(place, f"operators.html#motus.{name}")
+            self.assertTrue(place in anchors or 'INTERNAL' in getattr(bpy.types, f"MOTUS_OT_{name}").bl_options, name)
 
     def test_each_setting_has_its_row(self):
-        found, pages = places(), {}
+        found, anchors = places(), site("content").anchors(support.CLONE)
         for struct, properties in groups():
             for prop in properties:
                 place = found.get(f"bpy.types.{struct}.{prop.identifier}")
-                if place is None:
-                    self.assertTrue(self.needs_none(struct, prop), f"{struct}.{prop.identifier}: no place, and not hidden")
-                    continue
-                page, _, anchor = place.partition(".html#")
-                pages.setdefault(page, settings_of_page(page))
-                self.assertIn(anchor, pages[page], page)
+                if place is not None:
+                    self.assertIn(place, anchors)
+                else:
+                    self.assertTrue(self.needs_none(struct, prop), f"{struct}.{prop.identifier} has no place, and is not hidden")
 
     def needs_none(self, struct, prop):
         """Whether the interface does not show a property by itself: a list, the index of its active line, or what only operators hold."""
         return prop.type in {'POINTER', 'COLLECTION'} or prop.identifier.startswith("active_") or struct in OF_OPERATORS
 
-    def test_pages_exist(self):
-        pages = {place.partition(".html")[0] for place in places().values()}
-        self.assertEqual(sorted(page for page in pages if not (support.CLONE / "docs" / f"{page}.md").exists()), [])
+    @support.in_one_blender
+    def test_the_pages_that_come_along_have_the_places(self):
+        files = site("plain").files(support.CLONE)
+        for asked, place in places().items():
+            page, _, anchor = place.partition("#")
+            operator = getattr(bpy.types, f"MOTUS_OT_{asked.removeprefix('bpy.ops.motus.')}", None)
+            if operator is None or 'INTERNAL' not in operator.bl_options:
+                self.assertTrue(f'id="{anchor}"' in files[f"en/{page}"], place)
+
+    def test_each_panels_page_comes_along(self):
+        pages = {support.addon("core.declare").page(feature) for feature in support.addon("core.declare").registered.values()}
+        names = {Path(name).stem for name in site("plain").files(support.CLONE) if name.startswith("en/")}
+        self.assertEqual({*pages, module().START, module().GENERAL} - names, set())
 
     @support.in_one_blender
     def test_what_panels_draw_is_not_hidden(self):
-        seen = {prop.identifier for _, properties in groups() for prop in properties}
+        operators = [getattr(bpy.ops.motus, name).get_rna_type() for name in dir(bpy.ops.motus)]
+        seen = {prop.identifier for properties in (*dict(groups()).values(), *(one.properties for one in operators)) for prop in properties}
         hidden = {
             prop.identifier
             for cls in test_translations.registered_classes()

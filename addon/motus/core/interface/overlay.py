@@ -81,7 +81,7 @@ def properties_of(system):
         return {}
     found = {
         switch_of(system): bpy.props.BoolProperty(
-            name="Show", description="Draw what this system computes for the selected objects", default=True, options=set()
+            name="Show", description="Draw in the viewport what this system computes for the selected objects", default=True, options=set()
         )
     }
     for switch in switches_of(system):

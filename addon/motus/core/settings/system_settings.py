@@ -51,12 +51,15 @@ def _is_keyword(item):
     return not isinstance(item, bpy.types.PropertyGroup)
 
 
+_STATE: Any = {"options": {'HIDDEN'}, "override": OVERRIDABLE}
+_HELPERS: Any = {"options": {'HIDDEN'}, "override": EXTENDABLE}
+"""Of what Motus notes in a file: the interface does not show it."""
+
+
 class MOTUS_PG_helper(bpy.types.PropertyGroup):
     """List item that points to a hidden helper object, which Motus creates when a system is set up on an object."""
 
-    object: to_object(
-        name="Object", description="Hidden object that computes for this one", override={'LIBRARY_OVERRIDABLE'}, options={'HIDDEN'}
-    )
+    object: to_object(name="Object", description="Hidden object that computes for this one", **_STATE)
 
 
 class SystemSettings:
@@ -65,51 +68,22 @@ class SystemSettings:
     The owner is the object that has the settings.
     """
 
-    is_active: bpy.props.BoolProperty(
-        name="Active", description="This system drives the object", options={'HIDDEN'}, override={'LIBRARY_OVERRIDABLE'}
-    )
+    is_active: bpy.props.BoolProperty(name="Active", description="This system drives the object", **_STATE)
     is_baked: bpy.props.BoolProperty(
-        name="Baked",
-        description="The motion stands in keyframes and the live set-up is switched off",
-        options={'HIDDEN'},
-        override={'LIBRARY_OVERRIDABLE'},
+        name="Baked", description="The motion stands in keyframes and the live set-up is switched off", **_STATE
     )
     is_released: bpy.props.BoolProperty(
-        name="Released",
-        description="What the library has wired on this override was taken off it",
-        options={'HIDDEN'},
-        override={'LIBRARY_OVERRIDABLE'},
+        name="Released", description="What the library has wired on this override was taken off it", **_STATE
     )
-    hub: to_object(
-        name="Hub", description="Hidden object that computes for all members", override={'LIBRARY_OVERRIDABLE'}, options={'HIDDEN'}
-    )
-    row: bpy.props.IntProperty(
-        name="Row",
-        description="Which of the objects that share the hub this one is",
-        min=0,
-        options={'HIDDEN'},
-        override={'LIBRARY_OVERRIDABLE'},
-    )
+    hub: to_object(name="Hub", description="Hidden object that computes for all members", **_STATE)
+    row: bpy.props.IntProperty(name="Row", description="Which of the objects that share the hub this one is", min=0, **_STATE)
     more_hubs: bpy.props.CollectionProperty(
-        type=MOTUS_PG_helper,
-        name="More Hubs",
-        description="Hubs of the groups but the first, by the groups' keys",
-        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'},
-        options={'HIDDEN'},
+        type=MOTUS_PG_helper, name="More Hubs", description="Hubs of the groups but the first, by the groups' keys", **_HELPERS
     )
     targets: bpy.props.CollectionProperty(
-        type=MOTUS_PG_helper,
-        name="Targets",
-        description="Hidden objects that the constraints have as targets",
-        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'},
-        options={'HIDDEN'},
+        type=MOTUS_PG_helper, name="Targets", description="Hidden objects that the constraints have as targets", **_HELPERS
     )
-    wired: bpy.props.StringProperty(
-        name="Wired",
-        description="What was wired, to notice where it has changed since",
-        options={'HIDDEN'},
-        override={'LIBRARY_OVERRIDABLE'},
-    )
+    wired: bpy.props.StringProperty(name="Wired", description="What was wired, to notice where it has changed since", **_STATE)
     order_proxy: to_object(
         name="Order Proxy", description="Hidden object that lets the curve's deformation be evaluated first", options={'HIDDEN'}
     )

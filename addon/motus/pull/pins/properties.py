@@ -30,18 +30,26 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
         soft_max=100.0,
     )
     falloff: choice("Falloff", "How the force fades from the root to the radius", FALLOFFS, 'SMOOTH')
-    scale_factor: number("Scale Factor", "Steepness of the classic falloff", 0.0, soft_min=-10.0, soft_max=10.0)
+    scale_factor: number(
+        "Scale Factor",
+        "How steep the falloff Classic is: 0 is the least steep, and larger numbers, negative ones too, are steeper",
+        0.0,
+        soft_min=-10.0,
+        soft_max=10.0,
+    )
     curve: vector("Curve", "Forces at equal steps from the radius to the root", CURVE_SAMPLES, options={'HIDDEN'})
-    distance: choice("Distance", "How the distance to the root is measured", DISTANCES, 'STRAIGHT')
+    distance: choice(
+        "Distance", "How the distance from the vertex that is pulled is measured, by which the others come along", DISTANCES, 'STRAIGHT'
+    )
     weld: number("Weld Distance", "Vertices within this distance of each other move as one; 0 welds none", 0.0, min=0.0, soft_max=0.1)
-    displacement: vector("Displacement", "How far the root goes at the strength 1, in the object", 3, subtype='XYZ')
+    displacement: vector("Displacement", "How far the pinned vertex goes at a strength of 1, in the object", 3, subtype='XYZ')
     mirror: choice(
         "Mirror", "Pull on the other side of the object too, mirrored across these axes of the object", AXES, set(), options={'ENUM_FLAG'}
     )
-    use_minimum: switch("Use Minimum", "Nothing is moved below a height")
-    minimum: number("Minimum", "Lowest height of moved vertices, in the object", -1.0)
-    use_maximum: switch("Use Maximum", "Nothing is moved above a height")
-    maximum: number("Maximum", "Largest height of moved vertices, in the object", 1.0)
+    use_minimum: switch("Use Minimum", "Leave vertices alone that lie below a height")
+    minimum: number("Minimum", "Height below which the pin moves no vertices, in the object", -1.0)
+    use_maximum: switch("Use Maximum", "Leave vertices alone that lie above a height")
+    maximum: number("Maximum", "Height above which the pin moves no vertices, in the object", 1.0)
     clamp_axis: choice("Height Axis", "Axis along which the height is measured", AXES, 'Z')
     vertex_group: bpy.props.StringProperty(
         name="Vertex Group",

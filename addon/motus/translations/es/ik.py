@@ -67,7 +67,7 @@ INTERFACE = {
     "Delete the targets and poles too that were made along with the chains": "Borrar también los objetivos y polos que se crearon con las cadenas",
     "Angle about the first bone, from its X axis, of the axis that a chain bends about if its animated pose is straight": "Ángulo alrededor del primer hueso, desde su eje X, del eje en torno al que se dobla una cadena si su pose animada es recta",
     "Distance from the target that counts as reached, as a fraction of the chain's length": "Distancia al objetivo que cuenta como alcanzado, como fracción de la longitud de la cadena",
-    "Draw how far a chain reaches, and how near": "Dibujar hasta dónde llega una cadena, de lejos y de cerca",
+    "Draw between which distances a chain can reach": "Dibujar entre qué distancias puede llegar una cadena",
     "Draw the line from the middle of a chain to its pole": "Dibujar la línea del medio de una cadena a su polo",
     "Draw what is left between the end of a chain and its target": "Dibujar lo que falta entre el final de una cadena y su objetivo",
     "Elastic": "Elástica",

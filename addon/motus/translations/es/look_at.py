@@ -62,7 +62,8 @@ INTERFACE = {
     "Shape Key": "Forma clave",
     "Eyelids": "Párpados",
     "Bone of the eyelid, below the head": "Hueso del párpado, bajo la cabeza",
-    "Turn about the bone's X axis that shuts the eye" + NO_KEYS: "Giro en torno al eje X del hueso que cierra el ojo" + _NO_KEYS_ES,
+    "Angle about the bone's X axis by which this eyelid shuts the eye"
+    + NO_KEYS: "Ángulo alrededor del eje X del hueso con el que este párpado cierra el ojo" + _NO_KEYS_ES,
     "Mesh object with a shape key that shuts the eyes": "Objeto de malla con una forma clave que cierra los ojos",
     "Shape key that shuts the eyes, which blinks drive": "Forma clave que cierra los ojos, movida por los parpadeos",
     "Let a bone below the head shut as an eyelid when the head blinks": "Hacer que un hueso bajo la cabeza se cierre como un párpado cuando la cabeza parpadea",
@@ -73,10 +74,10 @@ INTERFACE = {
     "{bone} turns with {head} already": "{bone} ya gira con {head}",
     "Saccades": "Sacadas",
     "Let the eyes jump a little about what they look at, as those of people do": "Hacer que los ojos salten un poco en torno a lo que miran, como los de las personas",
-    "Largest angle between the target and where the eyes look": "Ángulo máximo entre el objetivo y el punto al que miran los ojos",
+    "How far the eyes look past the target, at most, when they jump": "Cuánto miran los ojos, como máximo, al lado del objetivo cuando saltan",
     "Jumps of the eyes a second, on average" + NO_KEYS: "Saltos de los ojos por segundo, de media" + _NO_KEYS_ES,
-    "Each seed has the eyes move by themselves at different times"
-    + NO_KEYS: "Con cada semilla los ojos se mueven por sí solos en otros momentos" + _NO_KEYS_ES,
+    "Number from which the times of jumps and blinks follow: give each character another one"
+    + NO_KEYS: "Número del que salen los momentos de saltos y parpadeos: dé uno distinto a cada personaje" + _NO_KEYS_ES,
     "Head Left": "Cabeza a la izquierda",
     "Largest part of the head's turn to its own left; 180 degrees: none but Head Limit": "Parte máxima del giro de la cabeza hacia su izquierda; 180 grados: solo Límite de la cabeza",
     "Head Right": "Cabeza a la derecha",
