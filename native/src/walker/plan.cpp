@@ -296,8 +296,8 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
         fall.until = next < falls.size() ? falls[next].lift : std::numeric_limits<double>::infinity();
         const bool goes_on = is_whole && next < falls.size();
         const double end = goes_on ? falls[next].lift_cycles : fall.touch_cycles + fall.pace.duty;
-        const bool stays = !(goes_on && next > i + 1) && timing.shift(fall.touch_cycles) == 0.0 &&
-                           timing.shift(end) == 0.0;
+        const bool stays =
+            !(goes_on && next > i + 1) && timing.shift(fall.touch_cycles) == 0.0 && timing.shift(end) == 0.0;
         if (!stays) {
             const double middle = 0.5 * (timing.moved(fall.touch_cycles) + timing.moved(end));
             stand_at(leg, stretch, trajectory_.time_after(stretch, leg, middle), fall);
