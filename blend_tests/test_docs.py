@@ -442,7 +442,9 @@ def labels_of(page):
 
 
 def italics_of(page):
-    """What stands in italics and begins with a capital: labels, and each part of a way through menus."""
+    """What stands in italics and begins with a capital: labels, and each part of a way through menus. Without the labels of other programs."""
     prose = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    before, title, others = prose.partition("### Coming from another program\n")
+    prose = before + title + re.sub(r"^\| [^|]* \|", "|", others, flags=re.MULTILINE)
     for found in re.findall(r"(?<![*\w])\*([A-Z][^*0-9()]{2,})\*(?![*\w])", prose):
         yield from re.split(" > |: ", " ".join(found.split()))

@@ -85,4 +85,6 @@ class Window:
         self.complaints.clear()
         self.asked.clear()
         self.page.goto((SITE / address).as_uri(), wait_until="load")
+        # what slides or fades is where it comes to rest at once
+        self.page.add_style_tag(content="*, ::before, ::after { transition: none !important; animation: none !important }")
         return self.page
