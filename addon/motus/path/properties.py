@@ -51,7 +51,7 @@ GAP_UNITS = (
     ('TIME', "Time", "Each wagon is where the object in front was some seconds before"),
 )
 SIDES_BY = (
-    ('FRAME', "Frame", "Side and Height lean along with the orientation"),
+    ('FRAME', "Leaning", "Side and Height lean along with the orientation"),
     ('LEVEL', "Level", "Side is level and Height upright, whatever the orientation"),
 )
 SPACES = (

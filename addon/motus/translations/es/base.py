@@ -358,6 +358,7 @@ INTERFACE = {
     "Straight distance between the two points of the path that carry the leader, and each wagon; 0 is one point": "Distancia recta entre los dos puntos de la trayectoria que llevan al primero y a cada vagón; 0 es un solo punto",
     "Distance to the right of the path; the speed along the path stays the same": "Distancia a la derecha de la trayectoria; la velocidad a lo largo de ella no cambia",
     "Distance above the path; the speed along the path stays the same": "Distancia por encima de la trayectoria; la velocidad a lo largo de ella no cambia",
+    "Leaning": "Inclinado",
     "Side By": "Lado según",
     "Whether Side and Height lean along with the object": "Si Lado y Altura se inclinan junto con el objeto",
     "Side and Height lean along with the orientation": "Lado y Altura se inclinan con la orientación",

@@ -28,7 +28,7 @@ INTERFACE = {
     "Pole {bone}": "Polo {bone}",
     "Something else needs {targets}, so that they stay": "Otra cosa necesita {targets}, así que se quedan",
     "Take hold of a bone at any point with the left mouse button; the chain follows the mouse.\nX, Y and Z hold it to an axis; a "
-    "click selects the bone": "Coge un hueso por cualquier punto con el botón izquierdo del ratón; la cadena sigue al ratón.\nX, Y y Z lo fijan a un eje; "
+    "click selects the bone": "Agarra un hueso por cualquier punto con el botón izquierdo del ratón; la cadena sigue al ratón.\nX, Y y Z lo fijan a un eje; "
     "un clic selecciona el hueso",
     "All connected bones up to a branch": "Todos los huesos conectados hasta una bifurcación",
     "Limb": "Extremidad",
@@ -229,7 +229,7 @@ INTERFACE = {
     "{object} is not driven by {system}": "{object} no está movido por {system}",
     "{path} of {object} is no number": "{path} de {object} no es un número",
     "{system} of {object} has no output {output}": "{system} de {object} no tiene la salida {output}",
-    "Take hold of a bone at any point; the chain follows the mouse": "Coge un hueso por cualquier punto; la cadena sigue al ratón",
+    "Take hold of a bone at any point; the chain follows the mouse": "Agarra un hueso por cualquier punto; la cadena sigue al ratón",
     "Name of the bone that is pulled; empty takes the active one": "Nombre del hueso del que se tira; vacío toma el activo",
     "Factor": "Factor",
     "Point of the bone that is pulled, from its head (0) to its tail (1)": "Punto del hueso del que se tira, de su cabeza (0) a su cola (1)",

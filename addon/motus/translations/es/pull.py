@@ -16,7 +16,7 @@ INTERFACE = {
     "Skin": "Piel",
     "Face": "Cara",
     "Pulls along the surface, on both sides of X": "Tira por la superficie, a ambos lados de X",
-    "Pick & Pull": "Coger y tirar",
+    "Pick & Pull": "Agarrar y tirar",
     "A bell": "Una campana",
     "A cone": "Un cono",
     "A curve that you draw": "Una curva propia",
@@ -206,7 +206,7 @@ INTERFACE = {
 }
 
 OPERATORS = {
-    "Pick & Pull": "Coger y tirar",
+    "Pick & Pull": "Agarrar y tirar",
     "Grid Mesh": "Malla de cuadrícula",
     "Adjust Pull": "Ajustar el pincel",
     "Use Pull Brush Preset": "Usar preajuste del pincel",
