@@ -29,14 +29,14 @@ CLOUDS = (
     ("Snowfall", (0.0, 11.5, 10.0), 17.0, 2600.0, 0),
     ("Near Snowfall", (0.0, -2.5, 6.0), 4.5, {0.0: 60.0, 8.0: 420.0}, 1),
 )
-AHEAD = 8.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
+AHEAD = 12.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
 LIFETIME = 14.0  # seconds until a flake has come down
 COVER = {"lump": 0.19, "resolution": 0.15, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.015}
-ROLL = (7.0, 0.2), (4.6, 1.6), (2.4, 2.2), (0.7, 3.6), (0.4, 6.6)
+ROLL = (5.4, -1.6), (3.6, 0.3), (1.7, 1.3), (0.1, 2.0), (0.7, 4.6)
 """Points, x and y, between which the snowball rolls in a smooth curve."""
 ROLLS = 5.5, 9.6  # seconds of the scene
 BALL = 0.34, 0.66  # m, radius of the snowball before and after
-SUNK = 0.05  # m, by which the ball, soft as it is, is lower than the ground
+SUNK = 0.1  # m, by which the ball, soft as it is, is lower than the ground
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
 CAMERA_TRAVEL = 1.1  # m by which the camera moves to the left during the scene
 
