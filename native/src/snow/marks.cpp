@@ -185,7 +185,7 @@ class Marks::Maker {
             for (const double time : mover.times)
                 if (time > first && time < last) found.push_back(time);
         std::ranges::sort(found);
-        found.erase(std::ranges::unique(found).begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
         return found;
     }
 

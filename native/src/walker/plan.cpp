@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <ranges>
 #include <utility>
 
 #include "lean.hpp"
@@ -276,7 +275,8 @@ void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
         free = stand.end;
         kept.push_back(stand);
     }
-    for (Footfall& fall : falls | std::views::drop(1)) {
+    for (std::size_t i = 1; i < falls.size(); ++i) {
+        Footfall& fall = falls[i];
         if (timing.shift(fall.lift_cycles) != 0.0)
             fall.lift = std::max(trajectory_.time_after(stretch, leg, timing.moved(fall.lift_cycles)), begin);
         if (timing.shift(fall.touch_cycles) != 0.0)
