@@ -21,7 +21,7 @@ SKY_STOPS = (
     (1.0, (0.012, 0.028, 0.095)),
 )
 SKY_STRENGTH = 0.55
-MOON_COLOR, MOON_STRENGTH, MOON_ROTATION = (0.55, 0.68, 1.0), 0.45, (0.75, 0.15, 0.9)
+MOON_COLOR, MOON_STRENGTH, MOON_ROTATION = (0.55, 0.68, 1.0), 1.1, (1.32, 0.0, 1.15)
 VIEWS = (("AgX", "AgX - Medium High Contrast", 0.9), ("Filmic", "Medium High Contrast", 0.6))
 # Of each snow cloud: name, place, half width, flakes per second, seed. One is over the whole village, one in front of the camera, which
 # becomes heavier as the scene goes on.
