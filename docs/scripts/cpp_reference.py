@@ -179,7 +179,7 @@ def pages() -> dict[str, str]:
         for topic in sorted(topics)
         for number, header in enumerate(topics[topic])
     ]
-    about = "How to link the library, and what holds for all of it: [library.md](../library.md)."
+    about = "How to link the library, and what holds for all of it: [The library](../library.md)."
     table = "\n".join(("| topic | header | |", "|---|---|---|", *rows))
     found["README.md"] = f"# C++ reference\n\n{GENERATED}\n\n{about}\n\n{table}\n"
     return found

@@ -39,7 +39,7 @@ ENGLISH = (
     ("Start here", ("docs/start.md", "docs/install.md", "docs/main_scene.md")),
     ("Systems", tuple(f"docs/{name}.md" for name in SYSTEMS)),
     ("How systems meet", ("docs/together.md", "docs/copying.md", "docs/hand_over.md", "docs/farm.md")),
-    ("Scripts", ("docs/operators.md", "native/bindings/motus_native.pyi")),
+    ("Scripts", ("docs/operators.md", "docs/python_module.md", "native/bindings/motus_native.pyi")),
     ("C++ library", ("docs/library.md", "docs/cpp/README.md", "docs/cpp/*.md", "docs/contracts.md")),
     (
         "Inside Motus",
@@ -62,7 +62,7 @@ SPANISH = (
     ("Empezar", ("docs/es/start.md", "docs/es/install.md")),
     ("Sistemas", tuple(f"docs/es/{name}.md" for name in SYSTEMS)),
     ("Cómo se combinan", ("docs/es/together.md", "docs/es/copying.md", "docs/es/hand_over.md")),
-    ("En inglés", ("docs/operators.md", "docs/glossary.md", "CHANGELOG.md")),
+    ("En inglés", ("docs/operators.md", "docs/python_module.md", "docs/glossary.md", "CHANGELOG.md")),
 )
 """Sections of the site, and the files of their pages."""
 ARTISTS = {"install", "main_scene", "together", "copying", "hand_over", "farm", "operators"}
@@ -80,6 +80,10 @@ CARDS = re.compile(r"^(?:\|[^\n]*\n)*\|[^\n]*pictures/demo_[^\n]*\n(?:\|[^\n]*\n
 
 KEYWORDS = re.compile(r"^\| keyword \|[^\n]*\n(?:\|[^\n]*\n?)+", re.MULTILINE)
 """A table of an operator's keywords."""
+HEADERS = re.compile(r"^\| topic \| header \|[^\n]*\n(?:\|[^\n]*\n?)+", re.MULTILINE)
+"""The table of the library's headers."""
+LOOKS = {CARDS: "motus-cards", KEYWORDS: "motus-rows", HEADERS: "motus-rows motus-headers"}
+"""Tables, and the classes by which the site's style shows them."""
 
 
 @dataclass
@@ -174,8 +178,8 @@ def anchors(root):
 def _page(root, source, known, groups):
     """A page's Markdown."""
     text = markdown_text.with_anchors(source.text, source.ids.values())
-    text = CARDS.sub(lambda table: f'<div class="motus-cards" markdown>\n\n{table[0]}\n</div>\n', text)
-    text = KEYWORDS.sub(lambda table: f'<div class="motus-rows" markdown>\n\n{table[0]}\n</div>\n', text)
+    for tables, classes in LOOKS.items():
+        text = tables.sub(rf'<div class="{classes}" markdown>\n\n\g<0>\n</div>\n', text)
     text = markdown_text.with_links(
         text,
         lambda words, target: _link(source, known, words, target),

@@ -9,6 +9,7 @@ import markdown_text
 
 SHORT = re.compile(r"\b(?:numpy\.typing|numpy|typing|builtins)\.")
 """Modules that the stub names before each type."""
+BEGIN = "How it is imported, and first examples: [The Python module](../../docs/python_module.md)."
 WIDTH = 100
 """Most characters of a line in a signature."""
 
@@ -18,7 +19,7 @@ def page(stub):
     module = ast.parse(stub)
     functions = [node for node in module.body if isinstance(node, ast.FunctionDef)]
     classes = [node for node in module.body if isinstance(node, ast.ClassDef)]
-    parts = ["# Python reference: `motus_native`", _doc(module)]
+    parts = ["# Python reference: `motus_native`", BEGIN, _doc(module)]
     parts += ["## Functions", *(_function(name, group, "") for name, group in _overloads(functions))]
     for node in classes:
         parts += [f"## `{node.name}`", _doc(node)]

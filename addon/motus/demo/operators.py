@@ -6,6 +6,7 @@ import bpy
 
 from ..core.interface.operators import Operator
 from ..core.interface.rows import Rows
+from ..core.interface.view.viewports import space_for
 from ..core.refusals import Refused
 from ..core.translations import tr
 from .scenes import SCENES
@@ -43,6 +44,8 @@ class MOTUS_OT_demo_scene(Operator, bpy.types.Operator):
         except RuntimeError as error:  # an operator that the scene's build() calls has refused
             _discard(context.window, previous, set(bpy.data.scenes) - known)
             raise Refused(tr("The demo scene could not be finished: {error}").format(error=error)) from error
+        if space := space_for(context):
+            space.region_3d.view_perspective = 'CAMERA'
         self.report({"INFO"}, tr("Built {scene}").format(scene=scene.name))
 
 

@@ -10,9 +10,14 @@ from window import window_support
 SCENES = support.addon("demo.scenes").SCENES
 
 
+def _perspective():
+    return window_support.area().spaces.active.region_3d.view_perspective
+
+
 def _build(number):
     """Generator: chooses an item of the list by the keyboard, with nothing selected."""
     previous = window_support.window().scene
+    window_support.area().spaces.active.region_3d.view_perspective = 'PERSP'
     x, y = window_support.centre()
     window_support.move(x, y)
     yield
@@ -28,6 +33,8 @@ def _build(number):
     done = bpy.context.window_manager.operators[-1]
     assert (done.bl_idname, done.properties.system) == ("MOTUS_OT_demo_scene", SCENES[number].identifier), done.bl_idname
     assert built.camera, "it has no camera"
+    yield from window_support.until(lambda: _perspective() == 'CAMERA')
+    assert _perspective() == 'CAMERA', "the viewport does not look through the scene's camera"
     yield from window_support.picture(f"demo_{SCENES[number].name}")
 
 

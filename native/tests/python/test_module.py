@@ -1,6 +1,7 @@
 """The module as a whole: a second copy of it, the states of threads, and arrays that other threads write into."""
 
 import ctypes
+import doctest
 import shutil
 import subprocess
 import sys
@@ -44,6 +45,13 @@ else:
     raise AssertionError("a curve of the other copy was taken")
 print("both work")
 """
+
+
+class FirstExamplesTest(unittest.TestCase):
+    def test_they_print_what_the_manual_says(self):
+        found = doctest.testfile("../../../docs/python_module.md", encoding="utf-8")
+        self.assertGreater(found.attempted, 0)
+        self.assertEqual(found.failed, 0)
 
 
 class CachesTest(unittest.TestCase):
