@@ -265,7 +265,7 @@ class Panels(support.SceneTestCase):
                     if getattr(system.registered[panel.name], "copied_settings", ())
                     else []
                 )
-                self.assertEqual(layout.named("operator"), [*copying, panel.refresh])
+                self.assertEqual(layout.named("operator"), [*copying, panel.refresh, "motus.manual"])
         for one in system.systems():
             self.assertTrue(any(panel.refresh for panel in panels.described(one)), f"{one.name} has no Refresh")
 
