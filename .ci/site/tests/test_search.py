@@ -61,28 +61,29 @@ SPANISH = {
 }
 
 
-LANGUAGES = {"index.html": QUESTIONS, "es/index.html": SPANISH}
-"""First pages of the languages, and what is asked there."""
+LANGUAGES = {"en": ("index.html", QUESTIONS), "es": ("es/index.html", SPANISH)}
+"""Of each language the first page, and what is asked there."""
 
 
 @pytest.fixture(scope="module")
 def opened(browser):
-    """A function that gives a window on a first page, the same one each time."""
+    """A function that gives a window on the first page of a language, the same one each time."""
     with contextlib.ExitStack() as stack:
 
         @functools.cache
-        def window(address):
+        def window(language):
             one = stack.enter_context(reader.Window(browser, viewport={"width": 1440, "height": 900}))
-            one.open(address)
+            one.open(LANGUAGES[language][0])
             return one
 
         yield window
 
 
-@pytest.mark.parametrize(("address", "question"), [(address, one) for address, asked in LANGUAGES.items() for one in asked])
-def test_finds(opened, address, question):
+@pytest.mark.parametrize(("language", "question"), [(language, one) for language, (_, asked) in LANGUAGES.items() for one in asked])
+def test_finds(opened, language, question):
     """The page that answers is among the first results."""
-    assert set(found(opened(address).page, question)) & set(LANGUAGES[address][question])
+    answers = LANGUAGES[language][1][question]
+    assert set(found(opened(language).page, question)) & set(answers)
 
 
 def found(page, question):
