@@ -46,8 +46,11 @@ class Package(unittest.TestCase):
         self.assertEqual(set(manifest.get("permissions", {})), used)
 
     def test_nothing_is_included_that_does_not_belong(self):
-        suffixes = {path.suffix for path in self.folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts}
-        self.assertLessEqual(suffixes, {".py", ".pyi", ".so", ".whl", ".toml", "", ".svg", ".blend", ".json", ".png", ".dat"})
+        files = [path.relative_to(self.folder) for path in self.folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts]
+        manual = {path.suffix for path in files if path.parts[0] == "manual"}
+        others = {path.suffix for path in files if path.parts[0] != "manual"}
+        self.assertLessEqual(others, {".py", ".pyi", ".so", ".whl", ".toml", "", ".svg", ".blend", ".json", ".png", ".dat"})
+        self.assertEqual(manual, {".html", ".css"})
 
     def test_bl_info_only_where_blender_reads_it(self):
         source = (self.folder / "__init__.py").read_text(encoding="utf-8")
