@@ -93,7 +93,7 @@ def write_pictures(site):
         with Image.open(path) as picture:
             if picture.width > WIDEST:
                 picture = picture.resize((WIDEST, round(picture.height * WIDEST / picture.width)), Image.Resampling.LANCZOS)
-            picture.save(target, quality=82, method=4)
+            picture.save(target, quality=76, method=4)
 
 
 def main(module, work, site):
