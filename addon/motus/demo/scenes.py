@@ -38,7 +38,7 @@ SCENES = (
         description="A wooden figure whose hand and eyes follow a butterfly, while its feet and other hand stay put, and a daisy that stretches toward it",
         stills=(("Lookout Camera", 3.05), ("Lookout Camera", 4.4), ("Lookout Camera", 0.6)),
         film=(0.0, 9.0),
-        loop=(1.0, 3.65),
+        loop=(1.0, 5.0),
         ambience=0.5,
     ),
     DemoScene(
