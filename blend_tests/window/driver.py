@@ -36,12 +36,25 @@ def load_tests(patterns):
     return {name: test for name, test in tests.items() if not patterns or any(pattern in name for pattern in patterns)}
 
 
+def start_file():
+    """Path of the start-up file of all tests, beside the pictures."""
+    return window_support.picture_folder / "start.blend"
+
+
+def make_start_file():
+    """Generator: saves the start-up file, in which the 3D viewport has the window alone and draws little."""
+    support.empty_scene()
+    window_support.leave_the_viewport()
+    window_support.draw_little()
+    yield
+    bpy.ops.wm.save_as_mainfile(filepath=str(start_file()), copy=True)
+
+
 def run_one(test):
     """Generator over the steps of one test."""
     started = time.monotonic()
     support.enable()
-    support.empty_scene()
-    window_support.draw_little()
+    bpy.ops.wm.read_homefile(filepath=str(start_file()), use_empty=True)
     yield
     for step in test():
         if time.monotonic() - started > LIMIT:
@@ -52,6 +65,7 @@ def run_one(test):
 def run_all(tests):
     """Generator over all steps of all tests; says what has passed and what has failed, and quits Blender."""
     yield
+    yield from make_start_file()
     for name, test in tests.items():
         print(f"BEGUN {name}", flush=True)
         try:

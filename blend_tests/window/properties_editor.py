@@ -7,10 +7,16 @@ from window import window_support
 STEP = 6  # pixels
 
 
-def editor():
-    """The properties editor's region with the object's transform, the same in all Blenders."""
-    area = window_support.area('PROPERTIES')
+def opened():
+    """Generator: a properties editor beside the viewport, with the object's transform, the same in all Blenders."""
+    area = yield from window_support.add_area('PROPERTIES')
     area.spaces.active.context = 'OBJECT'
+    yield
+
+
+def editor():
+    """The properties editor's area, and the region with its panels."""
+    area = window_support.area('PROPERTIES')
     return area, next(one for one in area.regions if one.type == 'WINDOW')
 
 
@@ -35,10 +41,11 @@ def hover(wanted):
 
 
 def picture_of(tab, name):
-    """Generator: takes a picture, of a name, of that tab of the properties editor, in the place of the 3D viewport too."""
+    """Generator: takes a picture, of a name, of that tab of the properties editor, wide in the place of the 3D viewport and narrow beside it."""
+    yield from window_support.add_area('PROPERTIES')
     window_support.area('VIEW_3D').type = 'PROPERTIES'
     yield
-    editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
+    editors = window_support.window().screen.areas
     for area in editors:
         area.spaces.active.context = tab
     yield

@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 CLONE = HERE.parents[1]
 HANGS_AFTER = 700  # seconds without a line from the driver, which gives every test less
 SKIPPED = 77
-SIZE = 960, 600
+SIZE = 800, 560
 """Of the screen, which the window fills; drawn in software, pixels are what most of the processor's time goes into."""
 
 

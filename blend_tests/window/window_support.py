@@ -29,6 +29,26 @@ def region(kind='WINDOW', of='VIEW_3D'):
     return next(one for one in area(of).regions if one.type == kind)
 
 
+def leave_the_viewport():
+    """Closes all areas but the 3D viewport: most tests look at no other, and Blender draws each of them anew with every change of an object."""
+    while others := [one for one in window().screen.areas if one != area()]:
+        with bpy.context.temp_override(window=window(), area=others[0]):
+            bpy.ops.screen.area_close()
+
+
+def add_area(kind, direction='VERTICAL', share=0.21):
+    """Generator: splits an area of a kind from the 3D viewport, which keeps the rest; its value is the new area."""
+    view, before = area(), {one.as_pointer() for one in window().screen.areas}
+    with override():
+        bpy.ops.screen.area_split(direction=direction, factor=1.0 - share)
+    yield
+    new = next(one for one in window().screen.areas if one.as_pointer() not in before)
+    least = min(new, view, key=lambda one: one.width * one.height)
+    least.ui_type = kind
+    yield
+    return least
+
+
 def draw_little():
     """Lets the 3D viewport do without what no test looks at: drawn in software, it is a third of the time."""
     space = area().spaces.active
@@ -85,24 +105,35 @@ def drawn_panels(category):
     return drawn
 
 
+_tabs = []
+"""How far below a sidebar's top tabs were found, pixels, the last one first: a mode has few places for a tab."""
+
+
 def open_tab(category):
     """Generator: opens the 3D viewport's sidebar at that tab; its value is the list of the panels drawn since."""
     area().spaces.active.show_region_ui = True
     yield
     drawn = drawn_panels(category)
-    sidebar = region('UI')
+    yield from choose_tab(category, region('UI'), drawn)
+    return drawn
+
+
+def choose_tab(category, sidebar, drawn):
+    """Generator: has a sidebar show that tab, until something is in `drawn`, which the tab's panels fill as they are drawn."""
     if support.addon("core.blender.capabilities").has_panel_category():
         sidebar.active_panel_category = category
         sidebar.tag_redraw()  # as a click on the tab does; 4.3 does not where a script has chosen it
         yield from until(lambda: drawn)
-        return drawn
+        return
+    if drawn:
+        return
     # Before that property: try the tabs down the right edge, until the wanted one shows itself.
-    for below_top in range(20, 240, 12):
-        if drawn:
-            break
+    for below_top in (*_tabs, *range(20, 320, 12)):
         press('LEFTMOUSE', sidebar.x + sidebar.width - 8, sidebar.y + sidebar.height - below_top)
         yield
-    return drawn
+        if drawn:
+            _tabs[:] = [below_top, *(one for one in _tabs if one != below_top)]
+            return
 
 
 @contextmanager

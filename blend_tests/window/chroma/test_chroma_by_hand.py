@@ -107,26 +107,20 @@ def test_chosen_and_seen_at_once():
 
 def test_eyedropper():
     """The field's own, clicked on the footage in an image editor: elsewhere Blender reads the screen, of which a server without one has no copy."""
-    area = window_support.area('PROPERTIES')
-    kind = area.ui_type
     with tempfile.TemporaryDirectory() as folder:
-        try:
-            key = compositor.key_of(set_up(footage(folder)))
-            place = settings.place_of_input(key, settings.COLOR)
-            setattr(*place, (*WRONG, 1.0))
-            area.ui_type = 'IMAGE_EDITOR'
-            area.spaces.active.image = compositor.node_of(bpy.context.scene, compositor.FOREGROUND).image
-            yield from window_support.open_tab("Motus")
-            window_support.draw_all()
-            yield
-            path = yield from window_support.picture("chroma_before_picking")
-            yield from pick(field_of_green(path), window_support.centre(window_support.region('WINDOW', 'IMAGE_EDITOR')))
-            picked = tuple(getattr(*place))[:3]
-            yield from window_support.picture("chroma_picked")
-            np.testing.assert_allclose(picked, SUBJECT, atol=NEAR)
-        finally:
-            area.ui_type = kind
-            yield
+        key = compositor.key_of(set_up(footage(folder)))
+        place = settings.place_of_input(key, settings.COLOR)
+        setattr(*place, (*WRONG, 1.0))
+        area = yield from window_support.add_area('IMAGE_EDITOR')
+        area.spaces.active.image = compositor.node_of(bpy.context.scene, compositor.FOREGROUND).image
+        yield from window_support.open_tab("Motus")
+        window_support.draw_all()
+        yield
+        path = yield from window_support.picture("chroma_before_picking")
+        yield from pick(field_of_green(path), window_support.centre(window_support.region('WINDOW', 'IMAGE_EDITOR')))
+        picked = tuple(getattr(*place))[:3]
+        yield from window_support.picture("chroma_picked")
+        np.testing.assert_allclose(picked, SUBJECT, atol=NEAR)
 
 
 def set_up(path):

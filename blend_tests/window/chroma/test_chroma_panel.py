@@ -60,17 +60,7 @@ def test_panel_beside_the_compositor():
         panel.append(lambda _panel, _context: drawn.append(panel.__name__))
         area.spaces.active.show_region_ui = True
         yield
-        sidebar = window_support.region('UI', 'NODE_EDITOR')
-        if support.addon("core.blender.capabilities").has_panel_category():
-            sidebar.active_panel_category = "Motus"
-            sidebar.tag_redraw()
-            yield from window_support.until(lambda: drawn)
-        else:
-            for below_top in range(20, 320, 12):
-                if drawn:
-                    break
-                window_support.press('LEFTMOUSE', sidebar.x + sidebar.width - 8, sidebar.y + sidebar.height - below_top)
-                yield
+        yield from window_support.choose_tab("Motus", window_support.region('UI', 'NODE_EDITOR'), drawn)
         yield from window_support.picture("chroma_compositor")
         assert drawn, "the panel was not drawn"
     finally:

@@ -190,30 +190,24 @@ def test_a_drag_that_is_cancelled_or_hits_nothing_changes_nothing():
 
 def test_the_asset_browser_gives_to_what_is_selected():
     build()
-    yield
-    area = window_support.area('DOPESHEET_EDITOR')
-    kind = area.ui_type
+    area = yield from window_support.add_area('ASSETS', 'HORIZONTAL')
     two = bpy.data.objects["Two"]
     two.select_set(True)
     bpy.context.view_layer.objects.active = two
-    area.ui_type = 'ASSETS'
-    try:
-        yield 2.0
-        area.spaces.active.activate_asset_by_id(bpy.data.objects["Bouncy"], deferred=False)
-        yield 1.0
-        region = next(one for one in area.regions if one.type == 'WINDOW')
-        held = support.addon("core.interface.assets.held")
-        with bpy.context.temp_override(window=window_support.window(), area=area, region=region):
-            asset = held.shown(bpy.context)
-            assert asset is not None and held.is_held(asset)
-            assert held.place_of(asset, bpy.context) == ("Bouncy", "")
-            assert bpy.ops.motus.asset_give('INVOKE_DEFAULT', True) == {'FINISHED'}
-        yield
-        yield from window_support.picture("preset_browser")
-        assert frequency("Two") == 3.25, frequency("Two")
-        with window_support.override():
-            bpy.ops.ed.undo()
-        yield
-        assert frequency("Two") is None
-    finally:
-        area.ui_type = kind
+    yield 2.0
+    area.spaces.active.activate_asset_by_id(bpy.data.objects["Bouncy"], deferred=False)
+    yield 1.0
+    region = next(one for one in area.regions if one.type == 'WINDOW')
+    held = support.addon("core.interface.assets.held")
+    with bpy.context.temp_override(window=window_support.window(), area=area, region=region):
+        asset = held.shown(bpy.context)
+        assert asset is not None and held.is_held(asset)
+        assert held.place_of(asset, bpy.context) == ("Bouncy", "")
+        assert bpy.ops.motus.asset_give('INVOKE_DEFAULT', True) == {'FINISHED'}
+    yield
+    yield from window_support.picture("preset_browser")
+    assert frequency("Two") == 3.25, frequency("Two")
+    with window_support.override():
+        bpy.ops.ed.undo()
+    yield
+    assert frequency("Two") is None

@@ -19,7 +19,7 @@ def build():
 
 def test_from_the_menu_of_a_property_to_the_list():
     lamp = build()
-    yield
+    yield from properties_editor.opened()
     found = yield from properties_editor.hover("rotation_euler")
     assert found, "the editor shows no rotation"
     (x, y), under_mouse = found, support.addon("core.interface.view.hovered")

@@ -141,7 +141,7 @@ def test_a_property_from_its_menu_to_the_list():
     ball = build()
     bpy.ops.motus.dynamics_remove(object="Ball")
     cases.key(ball, "rotation_euler", {1: (0.0, 0.0, 0.0), 20: (0.0, 0.0, 1.0)})
-    yield
+    yield from properties_editor.opened()
     found = yield from properties_editor.hover("rotation_euler")
     assert found, "the editor shows no rotation"
     targets, offered = support.addon("dynamics.targets"), []

@@ -4,7 +4,7 @@ import bpy
 from mathutils import Vector
 
 import support
-from window import window_support
+from window import properties_editor, window_support
 
 JOINTS = ((0.0, 0.0, 0.0), (0.0, -0.3, 1.5), (0.0, 0.0, 3.0))
 SETTINGS = {
@@ -109,32 +109,18 @@ def test_bone_constraint_properties():
     rig.motus.ik.entries["shin.L"].use_limits = True
     rig.pose.bones["shin.L"].use_ik_limit_x = True
     panels = [panel for panel in support.addon("ik.panel").classes if panel.__name__.startswith("MOTUS_PT_ik_constraint")]
-    properties = window_support.area('PROPERTIES')
-    # A tall editor, so that the whole panel is in the picture.
-    window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield
     with window_support.drawn_settings(panels) as drawn:
-        for area in window_support.window().screen.areas:
-            if area.type == 'PROPERTIES':
-                area.spaces.active.context = 'BONE_CONSTRAINT'
-        yield
-        yield from window_support.picture("ik_bone_constraints")
+        yield from properties_editor.picture_of('BONE_CONSTRAINT', "ik_bone_constraints")
         # Panels of constraints still slide to their places: Blender 4.3 crashes where any class is unregistered meanwhile.
         yield SLIDE
-    assert properties.spaces.active.context == 'BONE_CONSTRAINT'
     for part, names in SETTINGS.items():
         missing = names - drawn.get(f"MOTUS_PT_ik_constraint{part}", set())
         assert not missing, (part, missing, drawn)
-    for area in window_support.window().screen.areas:
-        if area.type == 'PROPERTIES' and area != properties:
-            area.type = 'VIEW_3D'
-            break
-    yield
 
 
 def test_labels_are_not_clipped_in_a_narrow_editor():
     choose(build(), 'POSE')
-    properties = window_support.area('PROPERTIES')
+    properties = yield from window_support.add_area('PROPERTIES')
     ui, seen = support.addon("core.interface.ui"), {}
     split, margin = ui.split, MARGIN * bpy.context.preferences.system.ui_scale
 

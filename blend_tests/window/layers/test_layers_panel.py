@@ -6,7 +6,7 @@ from mathutils import Vector
 import support
 from layers import layer_cases
 from look_at import look_at_cases
-from window import window_support
+from window import properties_editor, window_support
 
 
 def build():
@@ -58,16 +58,7 @@ def test_adding_by_the_button_and_the_panels():
 def test_armature_properties():
     rig = build()
     bpy.ops.motus.layer_add(object=rig.name, action="Throw", bones="Chest", mode='ADDITIVE')
-    window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield
-    editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
-    for area in editors:
-        area.spaces.active.context = 'DATA'
-    yield
-    yield from window_support.picture("layers_properties")
-    assert all(area.spaces.active.context == 'DATA' for area in editors)
-    max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
-    yield
+    yield from properties_editor.picture_of('DATA', "layers_properties")
     bpy.ops.object.mode_set(mode='OBJECT')
 
 

@@ -3,7 +3,7 @@
 import bpy
 
 import support
-from window import window_support
+from window import properties_editor, window_support
 
 COURSE = ((0, 0, 0), (4, 2, 0.5), (7, -1, 1.5), (10, 2, 0.5))
 
@@ -66,21 +66,7 @@ def test_readouts_move_in_playback():
 
 def test_constraint_properties():
     build()
-    properties = window_support.area('PROPERTIES')
-    # A tall editor, so that the whole panel is in the picture.
-    window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield
-    for area in window_support.window().screen.areas:
-        if area.type == 'PROPERTIES':
-            area.spaces.active.context = 'CONSTRAINT'
-    yield
-    yield from window_support.picture("path_constraints")
-    assert properties.spaces.active.context == 'CONSTRAINT'
-    for area in window_support.window().screen.areas:
-        if area.type == 'PROPERTIES' and area != properties:
-            area.type = 'VIEW_3D'
-            break
-    yield
+    yield from properties_editor.picture_of('CONSTRAINT', "path_constraints")
 
 
 def test_a_train_on_a_closed_curve():

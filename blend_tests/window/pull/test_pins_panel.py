@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 
 from pull.pins import pin_cases
-from window import window_support
+from window import properties_editor, window_support
 
 
 def build():
@@ -18,16 +18,6 @@ def build():
     with window_support.override():
         bpy.ops.view3d.view_selected()
     return grid
-
-
-def modifiers_tab():
-    """Generator: shows the modifiers in a tall properties editor."""
-    window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield
-    for area in window_support.window().screen.areas:
-        if area.type == 'PROPERTIES':
-            area.spaces.active.context = 'MODIFIER'
-    yield
 
 
 def test_sidebar():
@@ -45,13 +35,7 @@ def test_sidebar():
 
 def test_modifiers():
     build()
-    properties = window_support.area('PROPERTIES')
-    yield from modifiers_tab()
-    yield from window_support.picture("pins_modifiers")
-    assert properties.spaces.active.context == 'MODIFIER'
-    other = next(area for area in window_support.window().screen.areas if area.type == 'PROPERTIES' and area != properties)
-    other.type = 'VIEW_3D'
-    yield
+    yield from properties_editor.picture_of('MODIFIER', "pins_modifiers")
 
 
 def stroke():

@@ -8,7 +8,7 @@ from mathutils import Vector
 
 import support
 from walker import walker_cases as cases
-from window import window_support
+from window import properties_editor, window_support
 
 
 def clear():
@@ -120,15 +120,7 @@ def test_object_properties():
     clear()
     add()
     panels = [panel for panel in support.addon("walker.panel").classes if panel.__name__.startswith("MOTUS_PT_walker_constraint")]
-    window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield
-    editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
     with window_support.drawn_settings(panels) as drawn:
-        for area in editors:
-            area.spaces.active.context = 'CONSTRAINT'
-        yield
-        yield from window_support.picture("walker_properties")
+        yield from properties_editor.picture_of('CONSTRAINT', "walker_properties")
     assert {"gait", "stride", "cadence"} <= drawn["MOTUS_PT_walker_constraint"], drawn
     assert {"ground", "grounds", "use_plane"} <= drawn["MOTUS_PT_walker_constraint_ground"], drawn
-    max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
-    yield
