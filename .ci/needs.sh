@@ -130,11 +130,21 @@ need() {
     if ! installs_itself || ! as_root true 2>/dev/null; then
         fail "this system lacks what Motus needs here; install it with: $(install_line "${missing[@]}")"
     fi
-    say "installing by apt-get: ${missing[*]}"
-    logged apt as_root apt-get update -q
-    # Other programs that install, such as a machine's own updates, are waited for.
-    logged apt as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -y -q --no-install-recommends "${missing[@]}"
+    mkdir -p "$cache"
+    install_packages "$@" 8>"$cache/installing"
 }
+
+# install_packages PACKAGE:PROBE...: by apt-get, what is missing still when no other clone is installing: apt-get does not wait for another one that
+# reads the lists of packages. File descriptor 8 is the lock; a service that a package starts must not keep it.
+install_packages() (
+    flock 8
+    find_missing "$@"
+    ((${#missing[@]})) || exit 0
+    say "installing by apt-get: ${missing[*]}"
+    logged apt as_root apt-get update -q 8>&-
+    # Other programs that install, such as a machine's own updates, are waited for.
+    logged apt as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -y -q --no-install-recommends "${missing[@]}" 8>&-
+)
 
 # wish PACKAGE:PROBE...: the same for what a command can do without; false where it cannot be installed.
 wish() { if installs_itself; then (need "$@"); fi; }

@@ -33,6 +33,8 @@ def fetched(place, what, fill):
 
     what: said when it is fetched. What was broken off is fetched anew.
     """
+    if (place / "complete").exists():
+        return place, ""  # without waiting for what another clone fetches beside it
     place.parent.mkdir(parents=True, exist_ok=True)
     with open(place.parent / "lock", "w", encoding="utf-8") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # another clone may be fetching the same

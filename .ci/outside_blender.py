@@ -1,10 +1,27 @@
 """Runs tests that need no Blender, by pytest: outside_blender.py FOLDER [PATTERN...]; called by `./motus test`."""
 
+import os
 import sys
 
 import pytest
 
 import bytecode
+
+SLOW = 2.0
+"""Processor seconds from which a test is listed, as suite.py lists those inside Blender."""
+
+
+class Slow:
+    """A plugin of pytest: what slow tests take of the processor, with what is made ready before them and the processes that they start."""
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item):
+        started = sum(os.times()[:4])
+        result = yield
+        seconds = sum(os.times()[:4]) - started
+        if seconds > SLOW:
+            print(f"\nslow: {item.nodeid} {seconds:.1f} s", flush=True)
+        return result
 
 
 class Choice:
@@ -42,10 +59,10 @@ class Choice:
 
 
 def main(folder, *patterns):
-    """Returns the exit status. What is slower than two seconds, failed or skipped is listed."""
-    options = ("--quiet", "-rfEs", "--durations=10", "--durations-min=2", "-p", "no:cacheprovider")
+    """Returns the exit status. What is slow, failed or skipped is listed."""
+    options = ("--quiet", "-rfEs", "-p", "no:cacheprovider")
     with bytecode.kept_for_children():
-        return pytest.main([*options, folder], plugins=[Choice(patterns)])
+        return pytest.main([*options, folder], plugins=[Slow(), Choice(patterns)])
 
 
 if __name__ == "__main__":

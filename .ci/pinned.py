@@ -4,10 +4,7 @@ They are installed below FOLDER, which clones share, when they are first asked f
 """
 
 import argparse
-import fcntl
 import hashlib
-import shutil
-import subprocess
 import sys
 import tempfile
 import tomllib
@@ -22,18 +19,13 @@ def installed(group, programs, clone=CLONE):
     """(the folder with the programs of a group of pyproject.toml's dependencies, ""), or (None, why they cannot be had)."""
     wanted = tomllib.loads((clone / "pyproject.toml").read_text(encoding="utf-8"))["dependency-groups"][group]
     folder = programs / hashlib.sha256(" ".join((sys.version, group, *wanted)).encode()).hexdigest()[:16]
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    with open(folder.parent / "lock", "w", encoding="utf-8") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)  # another clone may be installing the same
-        if not (folder / "complete").exists():
-            print(f"motus: installing by pip: {' '.join(wanted)}", file=sys.stderr)
-            shutil.rmtree(folder, ignore_errors=True)
-            for command in ((sys.executable, "-m", "venv", folder), (folder / "bin" / "pip", "install", "--quiet", *wanted)):
-                done = subprocess.run(command, check=False, capture_output=True, text=True)
-                if done.returncode:
-                    return None, (done.stderr.strip() or done.stdout.strip() or "no reason was given").splitlines()[-1]
-            (folder / "complete").touch()
-    return folder / "bin", ""
+
+    def fill(place):
+        commands = ((sys.executable, "-m", "venv", place), (place / "bin" / "pip", "install", "--quiet", *wanted))
+        return next(filter(None, (once.run(*command) for command in commands)), "")
+
+    place, why_not = once.fetched(folder, f"installing by pip: {' '.join(wanted)}", fill)
+    return place and place / "bin", why_not
 
 
 def built(name, programs, clone=CLONE):

@@ -35,6 +35,11 @@ shift
 dir=$1
 shift
 
+# Clones share the folder: of two that want the same, the second waits for what the first makes.
+mkdir -p -- "$dir"
+exec {lock}>"$dir/.lock"
+flock "$lock"
+
 make_root() {
     local suite=$1 root=$dir/$1
     umount --recursive "$root/proc" "$root/dev" 2>/dev/null || true

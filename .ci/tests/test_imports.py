@@ -4,10 +4,10 @@ import ast
 import graphlib
 import re
 import unittest
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-ADDON = ROOT / "addon" / "motus"
+import sources
+from sources import ADDON, ROOT
+
 MOST_FILES = 12
 """Python files in a room."""
 FLAGS = {"is_relative", "lays_pose", "moves_points", "same_bits"}
@@ -39,7 +39,7 @@ def imports(name, path, known):
     package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
     package = [part for part in package if part]
     found = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in sources.nodes(path):
         if not isinstance(node, ast.ImportFrom) or not node.level:
             continue
         stem = package[: len(package) - node.level + 1] + (node.module.split(".") if node.module else [])
@@ -64,7 +64,7 @@ def executed(name, graph):
 def uses_other_systems(path):
     """Names of the systems that a module looks up among the registered ones."""
     found = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in sources.nodes(path):
         if (
             isinstance(node, ast.Subscript)
             and ast.unparse(node.value).split(".")[-1] == "registered"
@@ -78,7 +78,7 @@ def flags_read(path):
     """Names of the FLAGS that a module reads from a system. Members and layouts have fields of the same names, which do not count."""
     return {
         node.attr
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for node in sources.nodes(path)
         if isinstance(node, ast.Attribute) and node.attr in FLAGS and ast.unparse(node.value).lower().endswith("system")
     }
 
@@ -145,7 +145,7 @@ class Imports(unittest.TestCase):
                 outside = {other for other in found if other.split(".")[0] != "core"}
                 self.assertEqual(outside, set(), name)
                 if name != "core.lazy":  # which imports what stands outside of the add-on
-                    self.assertNotIn("import_module", self.known[name].read_text(encoding="utf-8"), f"{name} hides what it imports")
+                    self.assertNotIn("import_module", sources.text(self.known[name]), f"{name} hides what it imports")
 
     def test_systems_import_neither_each_other_nor_the_wirings_insides(self):
         for name, found in self.graph.items():

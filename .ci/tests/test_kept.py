@@ -3,10 +3,10 @@
 import ast
 import re
 import unittest
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-ADDON = ROOT / "addon" / "motus"
+import sources
+from sources import ADDON, ROOT
+
 KEEPING = "core/keeping.py"
 LIFETIMES = {"OfEvaluation", "OfThread", "OfFile", "OfProcess", "OfLibrary", "WhileAnswering"}
 CONTAINERS = {"dict", "list", "set", "OrderedDict", "defaultdict", "Counter", "deque"}
@@ -45,10 +45,20 @@ NO_CACHE = {
 """File -> (names of the containers that its module has and changes, what they are instead of a cache)."""
 
 
-def trees():
-    """(name of a file of the add-on, its syntax tree)."""
-    for path in sorted(ADDON.rglob("*.py")):
-        yield path.relative_to(ADDON).as_posix(), ast.parse(path.read_text(encoding="utf-8"))
+class Source:
+    """A module's syntax tree: the statements of its body, and all its nodes."""
+
+    def __init__(self, body, nodes):
+        self.body, self.nodes = body, nodes
+
+    @classmethod
+    def of_file(cls, path):
+        return cls(sources.tree(path).body, sources.nodes(path))
+
+    @classmethod
+    def of_text(cls, text):
+        tree = ast.parse(text)
+        return cls(tree.body, tuple(ast.walk(tree)))
 
 
 def is_container(value):
@@ -72,10 +82,10 @@ def containers(body):
     return found
 
 
-def changed(tree):
+def changed(source):
     """The last part of the names of all that a module changes: by a key, by a method, or within `global`."""
     found = set()
-    for node in ast.walk(tree):
+    for node in source.nodes:
         where = None
         if isinstance(node, ast.Subscript) and isinstance(node.ctx, (ast.Store, ast.Del)):
             where = node.value
@@ -90,36 +100,32 @@ def changed(tree):
     return found
 
 
-def kept_without_declaration(tree):
+def kept_without_declaration(source):
     """Names of containers of a module, or of its classes, that are changed or named as a variable is; and of what is changed by `global`."""
-    every = containers(tree.body)
-    of_classes = set().union(*(containers(node.body) for node in ast.walk(tree) if isinstance(node, ast.ClassDef)))
-    touched = changed(tree)
-    by_global = {name for node in ast.walk(tree) if isinstance(node, ast.Global) for name in node.names}
+    every = containers(source.body)
+    of_classes = set().union(*(containers(node.body) for node in source.nodes if isinstance(node, ast.ClassDef)))
+    touched = changed(source)
+    by_global = {name for node in source.nodes if isinstance(node, ast.Global) for name in node.names}
     # A module's container may be changed by another module, if it is not named as a constant is.
     return {name for name in every if name.upper() != name or name in touched} - {"classes"} | of_classes & touched | by_global
 
 
-def ways(tree):
+def ways(source):
     """Which of WAYS a module uses."""
-    names = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-    names |= {alias.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.level == 0 for alias in node.names}
+    names = {node.attr for node in source.nodes if isinstance(node, ast.Attribute)}
+    names |= {alias.name for node in source.nodes if isinstance(node, ast.ImportFrom) and node.level == 0 for alias in node.names}
     return names & WAYS
 
 
-def declarations(tree):
-    """Calls that declare something kept."""
-    return [
-        node
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and ast.unparse(node.func) in {f"keeping.{kind}" for kind in LIFETIMES}
-    ]
+def declarations(nodes):
+    """Calls that declare something kept, of these nodes of a syntax tree."""
+    return [node for node in nodes if isinstance(node, ast.Call) and ast.unparse(node.func) in {f"keeping.{kind}" for kind in LIFETIMES}]
 
 
 class Kept(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.trees = dict(trees())
+        cls.sources = {path.relative_to(ADDON).as_posix(): Source.of_file(path) for path in sorted(ADDON.rglob("*.py"))}
 
     def test_what_counts_as_kept(self):
         for text, wanted in (
@@ -135,37 +141,39 @@ class Kept(unittest.TestCase):
             ("class A:\n    bl_options = {'UNDO'}", set()),
         ):
             with self.subTest(text):
-                self.assertEqual(kept_without_declaration(ast.parse(text)), wanted)
+                self.assertEqual(kept_without_declaration(Source.of_text(text)), wanted)
         for text in ("@functools.lru_cache(maxsize=4)\ndef f(): pass", "from functools import cache", "x.popitem(last=False)"):
-            self.assertTrue(ways(ast.parse(text)), text)
+            self.assertTrue(ways(Source.of_text(text)), text)
 
     def test_nothing_is_kept_without_a_declaration(self):
-        for name, tree in self.trees.items():
+        for name, source in self.sources.items():
             names, _ = NO_CACHE.get(name, ("", ""))
-            found = kept_without_declaration(tree) if name != KEEPING else set()
+            found = kept_without_declaration(source) if name != KEEPING else set()
             with self.subTest(name):
                 self.assertEqual(
                     found, set(names.split()), "declare it by core/keeping.py, or say in NO_CACHE what it is instead of a cache"
                 )
                 if name != KEEPING:
-                    self.assertEqual(ways(tree), set(), "keep it by core/keeping.py")
-        self.assertEqual(NO_CACHE.keys() - self.trees.keys(), set())
+                    self.assertEqual(ways(source), set(), "keep it by core/keeping.py")
+        self.assertEqual(NO_CACHE.keys() - self.sources.keys(), set())
 
     def test_what_is_kept_with_a_copy_is_declared_too(self):
-        for name in self.trees:
-            text = (ADDON / name).read_text(encoding="utf-8") if name != KEEPING else ""
+        for name in self.sources:
+            text = sources.text(ADDON / name) if name != KEEPING else ""
             self.assertEqual(re.findall(r"(?:copy|copies\.\w+\([^()]*\))\.found\b", text), [], f"{name}: use OfEvaluation.on()")
 
     def test_declarations_are_made_once_by_a_module(self):
-        for name, tree in self.trees.items():
-            of_module = [call for node in tree.body if isinstance(node, (ast.Assign, ast.AnnAssign)) for call in declarations(node)]
-            self.assertEqual(len(declarations(tree)), len(of_module), f"{name} declares in a function")
+        for name, source in self.sources.items():
+            of_module = [
+                call for node in source.body if isinstance(node, (ast.Assign, ast.AnnAssign)) for call in declarations(ast.walk(node))
+            ]
+            self.assertEqual(len(declarations(source.nodes)), len(of_module), f"{name} declares in a function")
 
     def test_all_stand_on_the_page(self):
         page = (ROOT / "docs" / "kept.md").read_text(encoding="utf-8")
         count = 0
-        for name, tree in self.trees.items():
-            for call in declarations(tree):
+        for name, source in self.sources.items():
+            for call in declarations(source.nodes):
                 count += 1
                 what, module = ast.literal_eval(call.args[0]), name.removesuffix(".py").replace("/", ".")
                 is_there = any(what in line and f"`{module}`" in line for line in page.splitlines())

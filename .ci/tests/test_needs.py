@@ -1,5 +1,7 @@
 """What a command needs is installed on Debian 12 and 13, and elsewhere named in one line for the system's own package manager."""
 
+import concurrent.futures
+import os
 import subprocess
 import tempfile
 import unittest
@@ -47,7 +49,7 @@ class Needs(unittest.TestCase):
             say() {{ printf 'motus: %s\\n' "$*"; }}
             fail() {{ say "$@"; exit 1; }}
             logged() {{ "${{@:2}}"; }}
-            here={CI.parent} cache={self.folder}
+            here='{CI.parent}' cache='{self.folder}'
             source {CI}/needs.sh
             source {CI}/choose_blender.sh
             source {CI}/platforms.sh
@@ -81,6 +83,37 @@ class Needs(unittest.TestCase):
                 said,
             )
             self.assertIn("went on", said)
+
+    def test_two_clones_install_one_after_the_other(self):
+        """The second finds what the first has installed."""
+        there, log = self.folder / "there", self.folder / "log"
+        command = f"""
+            as_root() {{ [[ $1 == true ]] || echo "$*" >>'{log}'; [[ $* != *' install '* ]] || {{ sleep 1; touch '{there}'; }}; }}
+            need 'g++:{there}'
+        """
+        with concurrent.futures.ThreadPoolExecutor() as pool:
+            both = list(pool.map(lambda _: self.bash("bookworm", command), range(2)))
+        self.assertEqual([status for status, _ in both], [0, 0], both)
+        self.assertEqual(log.read_text(encoding="utf-8").count(" install "), 1)
+
+    def test_two_clones_make_a_system_once(self):
+        """While the first is in the midst of it, the second comes."""
+        programs, roots, log = (self.folder / name for name in ("programs", "roots", "log"))
+        programs.mkdir()
+        making = f"""#!/bin/bash
+            echo made >>'{log}'
+            for _ in {{1..20}}; do [[ $(wc -l <'{log}') == 1 ]] || exit 9; sleep 0.1; done
+            mkdir "${{@: -1}}/tmp"
+        """
+        for name, text in {"debootstrap": making, **dict.fromkeys(("mount", "umount", "chroot", "cp"), "#!/bin/sh\n")}.items():
+            (programs / name).write_text(text, encoding="utf-8")
+            (programs / name).chmod(0o755)
+        environment = os.environ | {"PATH": f"{programs}:{os.environ['PATH']}"}
+        command = ["bash", CI / "roots.sh", "--inside", roots, "sid"]
+        with concurrent.futures.ThreadPoolExecutor() as pool:
+            both = list(pool.map(lambda _: subprocess.run(command, env=environment, check=False, capture_output=True, text=True), range(2)))
+        self.assertEqual([done.returncode for done in both], [0, 0], both)
+        self.assertEqual(log.read_text(encoding="utf-8"), "made\n")
 
     def test_debian_without_root_says_what_to_install(self):
         status, said = self.bash("trixie", f"need {WANTED}", has_root=False)

@@ -1,7 +1,6 @@
-"""Official Blenders: installed once, whole or not at all, and started by the command line of a Blender."""
+"""Official Blenders, started by the command line of a Blender."""
 
-import contextlib
-import io
+import functools
 import json
 import os
 import subprocess
@@ -11,7 +10,6 @@ from pathlib import Path
 
 import blenders
 import module_program
-import official
 
 MOTUS = Path(__file__).resolve().parents[2] / "motus"
 MODULES = tuple(one.name for one in blenders.BLENDERS if one.kind == "module")
@@ -26,51 +24,17 @@ sys.exit(subprocess.run([*shlex.split(os.environ["MOTUS_BLENDER_PROGRAM"]), "-b"
 """
 
 
+@functools.cache
+def has_blender(name):
+    """Whether this machine has an official Blender, or can get it."""
+    return subprocess.run([MOTUS, "has_blender", name], check=False, capture_output=True).returncode == 0
+
+
 class Temporary(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory(prefix="motus test ")
         self.addCleanup(temporary.cleanup)
         self.folder = Path(temporary.name)
-
-
-class Installed(Temporary):
-    blender = blenders.named("4.5-lts")
-
-    def install(self, fill):
-        with contextlib.redirect_stderr(io.StringIO()):
-            return official.installed(self.blender, self.folder / "official", fill)
-
-    @staticmethod
-    def whole(_, place):
-        (place / "bpy").mkdir(parents=True)
-        return ""
-
-    def test_once(self):
-        place, why_not = self.install(self.whole)
-        self.assertEqual((why_not, (place / "bpy").is_dir()), ("", True))
-        self.assertEqual(self.install(self.fail), (place, ""))
-
-    def test_what_was_broken_off_is_made_anew(self):
-        def broken(_, place):
-            (place / "half").mkdir(parents=True)
-            return "no connection"
-
-        self.assertEqual(self.install(broken), (None, "no connection"))
-        place, _ = self.install(self.whole)
-        (place / "complete").unlink()
-        (place / "half").mkdir()
-        self.assertEqual(self.install(self.whole), (place, ""))
-        self.assertFalse((place / "half").exists())
-
-    def test_pip_installs_nothing_without_its_checksum(self):
-        """A file of another content is refused by pip itself, with one line that says so."""
-        requirements = self.folder / "requirements.txt"
-        requirements.write_text(f"pip @ {(self.folder / 'x.whl').as_uri()} --hash=sha256:{'0' * 64}\n", encoding="utf-8")
-        (self.folder / "x.whl").write_bytes(b"another content")
-        one = type("Blender", (), {"requirements": requirements, "python": self.blender.python, "kind": self.blender.kind})
-        why_not = official._fill(one, self.folder / "place")
-        self.assertRegex(why_not, "^ERROR")
-        self.assertEqual(list(self.folder.glob("place/*")), [])
 
 
 class CommandLine(unittest.TestCase):
@@ -99,7 +63,7 @@ class Started(Temporary):
     def each(self, names=MODULES):
         for name in names:
             with self.subTest(name):
-                if subprocess.run([MOTUS, "has_blender", name], check=False, capture_output=True).returncode:
+                if not has_blender(name):
                     self.skipTest(f"no official Blender {name} here")
                 yield name
 
@@ -114,26 +78,29 @@ class Started(Temporary):
             stderr=subprocess.STDOUT,
         )
 
-    def test_scripts_files_and_status(self):
+    def test_scripts_files_and_frames_in_their_order(self):
+        """In one start: an exception ends neither what follows, nor the process with another status than 0."""
+        small = "r = bpy.context.scene.render; r.resolution_x = r.resolution_y = 16; bpy.context.scene.cycles.samples = 1"
         for name in self.each():
-            blend, told = self.folder / f"{name} file.blend", self.folder / f"{name}.json"
+            blend, told, out = self.folder / f"{name} file.blend", self.folder / f"{name}.json", str(self.folder / f"{name}-##")
             script = self.folder / "a script.py"
             script.write_text(STARTED.format(path=str(told)), encoding="utf-8")
             save = f"import bpy; bpy.ops.wm.save_as_mainfile(filepath={str(blend)!r})"
-            done = self.start(
-                name, "-b", "--python", str(script), "--python-expr", save, str(blend), "--python", script.name, "--", "an argument"
-            )
+            scripts = ("--python", str(script), "--python-expr", save, str(blend), "--python", script.name, "--python-expr", "1 / 0")
+            frames = ("-s", "3", "-e", "4", "-o", f"{out}a", "-F", "PNG", "-f", "7", "-o", f"{out}b", "-a")
+            done = self.start(name, "-b", *scripts, "-E", "CYCLES", "--python-expr", small, *frames, "--", "an argument")
             self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertIn("ZeroDivisionError", done.stdout)
             rows = [json.loads(line) for line in told.read_text(encoding="utf-8").splitlines()]
             exact = f"{blenders.named(name).version} LTS"
             wanted = [[str(self.folder), exact, path, True, "__main__", "an argument"] for path in ("", str(blend))]
             self.assertEqual(rows, wanted)
+            found = sorted(path.name for path in self.folder.glob(f"{name}-*"))
+            self.assertEqual(found, [f"{name}-{rest}.png" for rest in ("03b", "04b", "07a")])
 
     def test_exit_status(self):
         for name in self.each(MODULES[-1:]):
             for arguments, wanted, part in (
-                (("--python-expr", "import sys; sys.exit(7)"), 7, ""),
-                (("--python-expr", "1 / 0"), 0, "ZeroDivisionError"),
                 (("--python-exit-code", "3", "--python-expr", "1 / 0"), 3, "ZeroDivisionError"),
                 (("no such file.blend",), 1, "no such file.blend"),
                 (("--python", "no such script.py"), 1, "no such script.py"),
@@ -143,21 +110,12 @@ class Started(Temporary):
                 self.assertEqual(done.returncode, wanted, done.stdout)
                 self.assertIn(part, done.stdout)
 
-    def test_frames_are_rendered(self):
-        small = "r = bpy.context.scene.render; r.resolution_x = r.resolution_y = 16; bpy.context.scene.cycles.samples = 1"
-        for name in self.each():
-            out = str(self.folder / f"{name}-##")
-            options = ("-E", "CYCLES", "--python-expr", small, "-s", "3", "-e", "4")
-            done = self.start(name, "-b", "--factory-startup", *options, "-o", f"{out}a", "-F", "PNG", "-f", "7", "-o", f"{out}b", "-a")
-            self.assertEqual(done.returncode, 0, done.stdout)
-            found = sorted(path.name for path in self.folder.glob(f"{name}-*"))
-            self.assertEqual(found, [f"{name}-{rest}.png" for rest in ("03b", "04b", "07a")])
-
     def test_memory_and_threads(self):
         """Freed memory is filled, and a module uses the processors that it may."""
-        tell = "import os; print('TOLD', os.environ.get('MALLOC_PERTURB_'), len(os.sched_getaffinity(0)))"
+        tell = "import os, sys; print('TOLD', os.environ.get('MALLOC_PERTURB_'), len(os.sched_getaffinity(0))); sys.exit(7)"
         for name in self.each(MODULES[-1:]):
             done = self.start(name, "-b", "--debug-memory", "-t", "1", "--python-expr", tell)
+            self.assertEqual(done.returncode, 7, done.stdout)
             self.assertIn(f"TOLD {module_program.FREED} 1\n", done.stdout)
 
 

@@ -1,4 +1,4 @@
-"""What modules for other systems are built with: fetched once, with checksums, or not at all and with the reason."""
+"""The table of the platforms that modules are built for, what they are built with, and how a program for Windows is started."""
 
 import ast
 import contextlib
@@ -7,13 +7,11 @@ import io
 import json
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 import zipfile
 from pathlib import Path
 
-import once
 import platforms
 
 CLONE = Path(__file__).resolve().parents[2]
@@ -51,65 +49,6 @@ class Table(unittest.TestCase):
         with contextlib.redirect_stdout(io.StringIO()) as said:
             self.assertEqual(platforms.main("/nowhere", "amiga-m68k"), 2)
         self.assertIn("linux-x64, windows-x64", said.getvalue())
-
-
-class Fetched(Temporary):
-    def pythons(self, copied):
-        with contextlib.redirect_stderr(io.StringIO()):
-            return platforms.pythons("windows", self.folder, copied)
-
-    @staticmethod
-    def whole(artifact, place):
-        (place / "include").mkdir(parents=True)
-        (place / "include" / "patchlevel.h").write_text(artifact.python, encoding="utf-8")
-        return ""
-
-    def test_once(self):
-        folders, why_not = self.pythons(self.whole)
-        self.assertEqual(why_not, "")
-        self.assertEqual([(folder / "include" / "patchlevel.h").read_text(encoding="utf-8") for folder in folders], list(platforms.PYTHONS))
-        self.assertEqual(self.pythons(self.fail), (folders, ""))
-
-    def test_the_program_of_a_python_for_windows(self):
-        """Of the one Python that is asked for, which is all that is fetched."""
-        fetched = []
-        with contextlib.redirect_stderr(io.StringIO()):
-            found, why_not = platforms.program(
-                "3.13", self.folder, lambda artifact, place: fetched.append(artifact) or self.whole(artifact, place)
-            )
-        self.assertEqual(
-            ((found.parent / "include" / "patchlevel.h").read_text(encoding="utf-8"), found.name, why_not), ("3.13", "python.exe", "")
-        )
-        self.assertEqual([(one.system, one.python) for one in fetched], [("windows", "3.13")])
-
-    def test_what_cannot_be_had_leaves_nothing(self):
-        def broken(_, place):
-            (place / "half").mkdir(parents=True)
-            return "no connection"
-
-        self.assertEqual(self.pythons(broken), (None, "no connection"))
-        self.assertEqual(list(self.folder.rglob("half")), [])
-
-    def test_without_a_network_the_reason_is_said(self):
-        """By the exit status ./motus knows that a platform is to be skipped."""
-        environment = os.environ | {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(self.folder)}
-        command = [sys.executable, CLONE / ".ci" / "platforms.py", self.folder / "cache", "linux-x64"]
-        done = subprocess.run(command, check=False, text=True, capture_output=True, env=environment)
-        self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertRegex(done.stdout, "^ERROR: No matching distribution found for ziglang")
-
-    def test_motus_counts_what_is_skipped(self):
-        """And ends as a skipped group of tests does."""
-        environment = os.environ | {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(self.folder), "MOTUS_CACHE": str(self.folder / "cache")}
-        environment["MOTUS_BUILD"], environment["MOTUS_DIST"] = str(self.folder / "build"), str(self.folder / "dist")
-        command = [CLONE / "motus", "package", "--platforms", "linux-x64,windows-x64"]
-        done = subprocess.run(command, check=False, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment)
-        self.assertEqual(done.returncode, 77, done.stdout)
-        self.assertIn("SKIPPED: no platform could be packaged", done.stdout)
-        self.assertFalse((self.folder / "dist").exists())
-
-    def test_a_program_that_there_is_not(self):
-        self.assertIn("no-such-program", once.run("no-such-program", "--quiet"))
 
 
 class Unpacked(Temporary):

@@ -5,6 +5,7 @@ cpp_reference.py [FOLDER]    writes the pages into FOLDER instead
 A declaration is shown as it stands in its header, without bodies and private parts; its comment stands above it as text.
 """
 
+import functools
 import os
 import re
 import subprocess
@@ -41,8 +42,10 @@ def compiler_folders() -> list[str]:
     return said.split("#include <...> search starts here:")[1].split("End of search list.")[0].split()
 
 
-def declarations(headers: list[Path]) -> dict[Path, list[Cursor]]:
-    """{header: what it declares in namespaces, in order}. All headers are read in one go."""
+@functools.cache
+def declarations() -> dict[Path, list[Cursor]]:
+    """{header: what it declares in namespaces, in order}. All public headers are read in one go, which takes seconds."""
+    headers = sorted(INCLUDE.rglob("*.hpp"))
     arguments = ["-x", "c++", "-std=c++20", f"-I{INCLUDE}"]
     for folder in compiler_folders():
         arguments += ["-isystem", folder]
@@ -168,9 +171,8 @@ def name_of(header: Path) -> str:
 
 def pages() -> dict[str, str]:
     """{name of a file in docs/cpp: its text}."""
-    headers = sorted(INCLUDE.rglob("*.hpp"))
     topics: dict[str, dict[Path, list[Cursor]]] = {}
-    for header, cursors in declarations(headers).items():
+    for header, cursors in declarations().items():
         topic = header.parent.relative_to(INCLUDE / "motus").as_posix()
         topics.setdefault("core" if topic == "." else topic, {})[header] = cursors
     found = {file_of(topic): page(topic, topics[topic]) for topic in topics}

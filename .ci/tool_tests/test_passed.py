@@ -1,11 +1,14 @@
 """What has passed, just as it is, is not run again."""
 
+import os
 import subprocess
 import sys
 import tempfile
 import unittest
 import unittest.mock
 from pathlib import Path
+
+import passed
 
 PASSED = Path(__file__).resolve().parents[1] / "passed.py"
 PROGRAM = (
@@ -26,18 +29,18 @@ class Passed(unittest.TestCase):
     def write(self, status):
         (self.folder / "program.py").write_text(PROGRAM.format(status), encoding="utf-8")
 
-    def check(self, runs, *arguments, status=0):
+    def check(self, runs, *arguments, status=0, options=()):
         """How often the program has run by now, and what it said."""
         command = [sys.executable, "program.py", *arguments]
         done = subprocess.run(
-            [sys.executable, PASSED, "kept", "program.py", "data", "--", *command],
+            [sys.executable, PASSED, *options, "kept", "program.py", "data", "--", *command],
             cwd=self.folder,
             check=False,
             text=True,
             capture_output=True,
         )
         self.assertEqual(done.returncode, status, done.stderr)
-        self.assertIn(" ".join(("said", *arguments)), done.stdout.splitlines())
+        self.assertIn(" ".join(("said", *arguments)) + "\n", done.stdout)
         self.assertEqual((self.folder / "runs").read_text(encoding="utf-8"), "x" * runs)
 
     def test_once(self):
@@ -72,3 +75,42 @@ class Passed(unittest.TestCase):
         self.write(0)
         self.check(3)
         self.check(3)
+
+    def test_again_until_nothing_is_skipped(self):
+        """What a skipped test lacked may be there the next time."""
+        self.check(1, "\nsummary: 2 passed, 0 failed, 10 skipped")
+        self.check(2, "\nsummary: 2 passed, 0 failed, 10 skipped")
+        self.check(3, "\nsummary: 20 passed, 0 failed, 0 skipped")
+        self.check(3, "\nsummary: 20 passed, 0 failed, 0 skipped")
+
+    def test_again_with_another_program(self):
+        """On the PATH, or installed by pip beside the states that are kept."""
+        if not passed.PACKAGES.exists():
+            self.skipTest("this system has no list of its packages")
+        programs = self.folder / "bin"
+        programs.mkdir()
+        with unittest.mock.patch.dict("os.environ", PATH=f"{programs}:{os.environ['PATH']}"):
+            self.check(1, options=["--system"])
+            self.check(1, options=["--system"])
+            (programs / "compiler").touch()
+            self.check(2, options=["--system"])
+            self.check(2, options=["--system"])
+            (self.folder / "programs" / "1" / "lib" / "python3.11" / "site-packages" / "linter-2.dist-info").mkdir(parents=True)
+            self.check(3, options=["--system"])
+            self.check(3, options=["--system"])
+
+    def test_again_with_another_package(self):
+        packages = self.folder / "status"
+        without = [passed.installed(self.folder, packages) for _ in range(2)]
+        self.assertNotEqual(*without)
+        packages.write_text("Package: g++\nVersion: 1\n", encoding="utf-8")
+        before, same = (passed.installed(self.folder, packages) for _ in range(2))
+        self.assertEqual(before, same)
+        packages.write_text("Package: g++\nVersion: 2\n", encoding="utf-8")
+        self.assertNotEqual(passed.installed(self.folder, packages), before)
+
+    def test_what_python_compiles_is_no_other_file(self):
+        self.check(1)
+        (self.folder / "data" / "__pycache__").mkdir()
+        (self.folder / "data" / "__pycache__" / "one.pyc").touch()
+        self.check(1)

@@ -5,6 +5,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 RUNNER = Path(__file__).resolve().parents[1] / "outside_blender.py"
 SAMPLE = """
@@ -37,12 +38,12 @@ class Unprepared(unittest.TestCase):
 
 
 class OutsideBlender(unittest.TestCase):
-    def run_sample(self, *patterns):
+    def run_sample(self, *patterns, runner=(RUNNER,)):
         """(exit status, output)."""
         with tempfile.TemporaryDirectory(prefix="motus test ") as folder:
             Path(folder, "test_sample.py").write_text(SAMPLE, encoding="utf-8")
             done = subprocess.run(
-                [sys.executable, RUNNER, folder, *patterns],
+                [sys.executable, *runner, folder, *patterns],
                 check=False,
                 cwd=folder,
                 text=True,
@@ -72,3 +73,11 @@ class OutsideBlender(unittest.TestCase):
         status, output = self.run_sample("a case of Catch2, for instance")
         self.assertEqual(status, 0, output)
         self.assertTrue(output.endswith("summary: 0 passed, 0 failed, 0 skipped\n"), output)
+
+    def test_what_is_slow_is_listed(self):
+        """By what it takes of the processor; here everything counts as slow."""
+        all_are_slow = "import sys, outside_blender; outside_blender.SLOW = -1.0; sys.exit(outside_blender.main(*sys.argv[1:]))"
+        with mock.patch.dict("os.environ", PYTHONPATH=str(RUNNER.parent)):
+            status, output = self.run_sample("Sample.test_good", runner=("-c", all_are_slow))
+        self.assertEqual(status, 0, output)
+        self.assertRegex(output, r"(?m)^slow: test_sample\.py::Sample::test_good \d+\.\d s$")
