@@ -152,7 +152,7 @@ class LiveSceneTest(support.SceneTestCase):
     def setUp(self):
         super().setUp()
         self.addCleanup(support.enable)
-        live_scenes.build()
+        live_scenes.opened()
         self.wanted = live_scenes.states()
         first, *later = self.wanted.values()
         still = [key for key in first if all(np.allclose(state[key], first[key], atol=1e-3) for state in later)]

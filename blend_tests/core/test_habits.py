@@ -33,7 +33,7 @@ def keywords(operator):
 
 def live_objects():
     """The objects of a scene with every system at work."""
-    live_scenes.build()
+    live_scenes.opened()
     return list(bpy.context.scene.objects)
 
 

@@ -125,7 +125,7 @@ class Lifetimes(support.SceneTestCase):
 
 class Same(support.SceneTestCase):
     def test_results_are_the_same_with_nothing_kept(self):
-        live_scenes.build()
+        live_scenes.opened()
         before = live_scenes.states()
         motus, forgotten = support.addon(), []
 

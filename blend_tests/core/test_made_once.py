@@ -215,7 +215,7 @@ def made_while_keyed(settings):
 class MadeOnce(support.SceneTestCase):
     @support.in_one_blender
     def test_while_any_setting_is_keyed(self):
-        live_scenes.build()
+        live_scenes.opened()
         found = [
             (system.name, owner.name, name, path)
             for system, owner in owners()

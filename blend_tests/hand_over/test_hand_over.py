@@ -13,7 +13,7 @@ from hand_over import hand_over_cases, plain_state, test_hand_over_refusals
 
 class TestHandOver(support.SceneTestCase):
     def test_everything_plays_the_same_without_the_add_on(self):
-        live_scenes.build()
+        live_scenes.opened()
         bpy.ops.motus.snow_add(
             preset='GENTLE', rate=10.0, lifetime=1.0, look='POINTS', location=(0.0, 12.0, 5.0)
         )  # shares nodes with the first

@@ -31,13 +31,13 @@ def of_object(obj, basis, parent):
     return above @ basis, above.to_3x3()
 
 
-def of_bone(bone, basis, parent, world):
+def of_bone(bone, basis, parent, world, channels):
     """Return (world matrix, 3x3 matrix from the bone's location channels to the world) of a PoseBone, without its constraints.
 
     basis: matrix of the bone's own location, rotation and scale. parent: PoseBone.matrix of the parent bone, None if there is none.
-    world: world matrix of the rig.
+    world: world matrix of the rig. channels: location_channels(bone, parent).
     """
-    return world @ posed(bone, basis, parent), world.to_3x3() @ location_channels(bone, parent)
+    return world @ posed(bone, basis, parent), world.to_3x3() @ channels
 
 
 def location_channels(bone, parent):

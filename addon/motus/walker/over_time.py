@@ -3,7 +3,7 @@
 import functools
 import math
 
-from mathutils import Matrix, Quaternion
+from mathutils import Matrix, Quaternion, Vector
 
 from ..core.animation.channel import Channel
 from ..core.animation.keys import union, united, whole
@@ -167,11 +167,15 @@ class _OnBone:
         return together((super().stamp, *((self._above.stamp,) if self._above else ())))  # type: ignore[misc]
 
     def _each(self, times):
-        """Yields (world matrix of the rig, pose of the parent bone in the rig's space or None if there is no parent) for each time."""
-        worlds = self._body.values(times)
-        poses = self._above.poses(times) if self._above else [None] * len(times)
-        for world, pose in zip(worlds, poses):
-            yield Matrix(world.tolist()), None if pose is None else Matrix(pose.tolist())
+        """Yields what leaning.of_bone() wants for each time: pose of the parent bone or None, world matrix of the rig, location channels."""
+        worlds = map(Matrix, self._body.values(times).tolist())
+        if self._above is None:
+            channels = leaning.location_channels(self._thing, None)
+            for world in worlds:
+                yield None, world, channels
+        else:
+            for world, above in zip(worlds, map(Matrix, self._above.poses(times).tolist())):
+                yield above, world, leaning.location_channels(self._thing, above)
 
 
 class _BoneFoot(_OnBone, _Foot):
@@ -185,19 +189,19 @@ class _BoneFoot(_OnBone, _Foot):
         places = self._places(times)
         if places is None:
             return transforms
-        weights = self._influence.values(times).tolist()
-        locations = np.array(np.broadcast_to(transforms.locations, (len(times), 3)))
+        weights = self._influence.values(times)
+        own = np.broadcast_to(transforms.locations, (len(times), 3))
         own_turns, turns = np.broadcast_to(transforms.rotations, (len(times), 4)), self._turns(times)
-        for row, (world, above) in enumerate(self._each(times)):
-            at_rest, axes = leaning.of_bone(self._thing, leaning.IDENTITY, above, world)
-            inverse, own = axes.inverted_safe(), locations[row]
-            there = inverse @ (Matrix.Translation(places[row].tolist()).translation - at_rest.translation)
-            locations[row] = own + weights[row] * (np.array(there) - own)
+        reached = []
+        for row, (place, above) in enumerate(zip(places.tolist(), self._each(times))):
+            at_rest, axes = leaning.of_bone(self._thing, leaning.IDENTITY, *above)
+            reached.append(tuple(axes.inverted_safe() @ (Vector(place) - at_rest.translation)))
             if turns is not None:
                 turns[row] = at_rest.to_quaternion().inverted() @ Quaternion(turns[row])
+        locations = own + weights[:, None] * (np.array(reached).reshape(-1, 3) - own)
         if turns is None:
             return transforms._replace(locations=locations)
-        return transforms._replace(locations=locations, rotations=soles.mixed(own_turns, turns, weights))
+        return transforms._replace(locations=locations, rotations=soles.mixed(own_turns, turns, weights.tolist()))
 
 
 class _Leaning(_OverTime):
@@ -222,12 +226,12 @@ class _Body(_Leaning):
         shares = self._shares(times)
         if shares is None:
             return matrices
-        found = np.array(np.broadcast_to(matrices, (len(times), 4, 4)))
-        for row, (world, (lift, turn)) in enumerate(zip(self._body.values(times), shares)):
-            about = Matrix.Translation(world[:3, 3].tolist())
-            moved = Matrix.Translation(lift) @ about @ turn.to_matrix().to_4x4() @ about.inverted() @ Matrix(found[row].tolist())
-            found[row] = np.array(moved)
-        return found
+        found = np.broadcast_to(matrices, (len(times), 4, 4)).tolist()
+        for row, (origin, (lift, turn)) in enumerate(zip(self._body.values(times)[:, :3, 3].tolist(), shares)):
+            about = Matrix.Translation(origin)
+            moved = Matrix.Translation(lift) @ about @ turn.to_matrix().to_4x4() @ about.inverted() @ Matrix(found[row])
+            found[row] = [tuple(numbers) for numbers in moved]
+        return np.array(found).reshape(-1, 4, 4)
 
 
 class _BoneBody(_OnBone, _Leaning):
@@ -241,12 +245,12 @@ class _BoneBody(_OnBone, _Leaning):
         shares = self._shares(times)
         if shares is None:
             return transforms
-        count = len(times)
-        locations, turns = (np.array(np.broadcast_to(part, (count, part.shape[-1]))) for part in transforms[:2])
-        basis = np.broadcast_to(transforms.matrices, (count, 4, 4))
-        for row, ((world, above), (lift, turn)) in enumerate(zip(self._each(times), shares)):
-            place, axes = leaning.of_bone(self._thing, Matrix(basis[row].tolist()), above, world)
-            move, local = leaning.relative(place, axes, world.translation, lift, turn)
-            locations[row] += move
-            turns[row] = rotations.product(turns[row : row + 1], np.array([local]))[0]
-        return transforms._replace(locations=locations, rotations=turns)
+        moves, turns = [], []
+        basis = np.broadcast_to(transforms.matrices, (len(times), 4, 4)).tolist()
+        for own, above, (lift, turn) in zip(basis, self._each(times), shares):
+            place, axes = leaning.of_bone(self._thing, Matrix(own), *above)
+            move, local = leaning.relative(place, axes, above[1].translation, lift, turn)
+            moves.append(tuple(move))
+            turns.append(tuple(local))
+        rotated = rotations.product(np.broadcast_to(transforms.rotations, (len(times), 4)), np.array(turns).reshape(-1, 4))
+        return transforms._replace(locations=transforms.locations + np.array(moves).reshape(-1, 3), rotations=rotated)

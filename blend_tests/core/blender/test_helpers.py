@@ -39,8 +39,7 @@ class LiveFile(support.SceneTestCase):
         folder = tempfile.TemporaryDirectory(prefix="motus-test-")
         cls.addClassCleanup(folder.cleanup)
         cls.path = str(Path(folder.name, "live.blend"))
-        support.empty_scene()
-        live_scenes.build()
+        live_scenes.opened()
         props = bpy.data.collections.new("Props")
         bpy.context.scene.collection.children.link(props)
         for obj in list(bpy.context.scene.collection.objects):

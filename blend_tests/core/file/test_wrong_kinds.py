@@ -155,9 +155,10 @@ class WrongKinds(support.SceneTestCase):
             block.update_tag()
         for frame in (14, 17):
             bpy.context.scene.frame_set(frame)
+        registered = panels()
         for obj in self.one_of_each_kind():
             bpy.context.view_layer.objects.active = obj
-            for cls in panels():
+            for cls in registered:
                 draw(cls)
             overlay.batches(bpy.context)
             overlay.notes(bpy.context)
@@ -271,7 +272,7 @@ class OtherOwners(support.SceneTestCase):
     """Settings that a script has given to an object that the system cannot work on."""
 
     def test_copied_to_objects_of_other_types(self):
-        live_scenes.build()
+        live_scenes.opened()
         system = test_habits.system
         owners = {one: next(obj for obj in bpy.context.scene.objects if system.is_owner(one, obj)) for one in system.systems()}
         made = {'MESH': bpy.data.meshes, 'ARMATURE': bpy.data.armatures, 'LATTICE': bpy.data.lattices, 'CAMERA': bpy.data.cameras}
@@ -301,7 +302,7 @@ class OtherOwners(support.SceneTestCase):
 class Reader(support.SceneTestCase):
     def test_objects_of_other_types(self):
         """A curve that was turned into a mesh, and a camera's place that an empty has."""
-        live_scenes.build()
+        live_scenes.opened()
         follower, course = bpy.data.objects["Car"], bpy.data.objects["Course"]
         self.assertEqual(pointers.pointed(follower.motus.path, "curve"), course)
         bpy.context.view_layer.objects.active = course
@@ -317,7 +318,7 @@ class Reader(support.SceneTestCase):
         self.assertEqual(pointers.pointed(snow, "camera"), bpy.data.objects["Eyes"])
 
     def test_wrong_datablocks(self):
-        live_scenes.build()
+        live_scenes.opened()
         things, found = wrong_things(), 0
         for kind, names in places(is_pointer).items():
             for name, pairs in names.items():
@@ -332,7 +333,7 @@ class Reader(support.SceneTestCase):
         self.assertGreater(found, 100)
 
     def test_pickers_offer_no_helpers(self):
-        live_scenes.build()
+        live_scenes.opened()
         hidden = [obj for obj in bpy.data.objects if not obj.users_collection]
         self.assertGreater(len(hidden), 10)
         for group, _ in settings():

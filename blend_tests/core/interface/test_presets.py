@@ -22,7 +22,7 @@ def values_of(settings, names):
 class BroughtPresets(support.SceneTestCase):
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
 
     def settings(self, name):
         bpy.context.view_layer.objects.active = bpy.data.objects.get(OWNERS[name])

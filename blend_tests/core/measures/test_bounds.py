@@ -62,7 +62,7 @@ class _Errors(logging.Handler):
 class WrongNumbersTest(support.SceneTestCase):
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
         bpy.context.scene.frame_set(13)
         self.assertFalse(not_finite())
         self.errors = _Errors()
@@ -73,21 +73,23 @@ class WrongNumbersTest(support.SceneTestCase):
     def test_nothing_in_a_file_reaches_a_sink_that_is_no_number(self):
         """Of each owner one setting after the other, those of all owners at once, with each wrong value."""
         waiting = [
-            list(numbers(getattr(owner.motus, system.name), stored(owner)[system.name], f"{owner.name} {system.name}"))
+            (system, owner, list(numbers(getattr(owner.motus, system.name), stored(owner)[system.name], f"{owner.name} {system.name}")))
             for system, owner in owners()
         ]
-        self.assertGreater(sum(map(len, waiting)), 100)
-        for place in range(max(map(len, waiting))):
+        self.assertGreater(sum(len(of_owner) for *_, of_owner in waiting), 100)
+        for place in range(max(len(of_owner) for *_, of_owner in waiting)):
+            # Those too whose last setting has been given its value back.
+            touched = [(system, owner) for system, owner, of_owner in waiting if place <= len(of_owner)]
             for which in range(3):
-                self._check([of_owner[place] for of_owner in waiting if place < len(of_owner)], which)
+                self._check([of_owner[place] for *_, of_owner in waiting if place < len(of_owner)], which, touched)
 
-    def _check(self, settings, which):
+    def _check(self, settings, which, touched):
         kept = []
         for _, stands, name, kind, size in settings:
             wrong = WRONG[kind][which % len(WRONG[kind])]
             kept.append((stands, name, list(stands[name]) if size else stands[name]))
             stands[name] = [wrong] * size if size else wrong
-        for system, owner in owners():
+        for system, owner in touched:
             owner.update_tag()
             support.addon("core.wiring").touch(system, owner)
         bpy.context.view_layer.update()

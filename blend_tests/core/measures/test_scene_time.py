@@ -10,7 +10,7 @@ import support
 
 class SceneTimeTest(support.SceneTestCase):
     def test_every_system_in_stretched_time(self):
-        live_scenes.build()
+        live_scenes.opened()
         scene = bpy.context.scene
         scene.frame_start, scene.frame_end = 1, 100
         plain = live_scenes.states()

@@ -27,7 +27,7 @@ class EverySystem(support.SceneTestCase):
     """Each edit shows in Edit Mode what it shows after Edit Mode; the first one by a tool, the second by a script."""
 
     def test_what_is_read_is_edited(self):
-        live_scenes.build()
+        live_scenes.opened()
         for name in ("Course", "Meadow", "Land"):
             obj, before = bpy.data.objects[name], live_scenes.states(FRAMES)
             begin(obj)

@@ -1,6 +1,7 @@
 """Rotations as arrays: quaternions (n, 4; w, x, y, z) as Blender computes them from its rotation modes, and rotation matrices."""
 
 import functools
+import itertools
 
 from mathutils import Matrix
 
@@ -133,7 +134,9 @@ def of_axes(rows):
 
     The quaternion of a mirroring matrix is that of the negative matrix.
     """
-    return np.array([Matrix(row).to_quaternion() for row in rows])
+    # Matrix reads Python's own numbers several times as fast as those of arrays.
+    found = itertools.chain.from_iterable(Matrix(row).to_quaternion() for row in rows.tolist())
+    return np.fromiter(found, float, 4 * len(rows)).reshape(-1, 4)
 
 
 @by_rows

@@ -69,7 +69,7 @@ class SameNameTest(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
         path = str(self.folder / "library.blend")
         bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
         with bpy.data.libraries.load(path, link=True) as (_, wanted):

@@ -27,7 +27,7 @@ class Untouchable:
 class SolversTest(support.SceneTestCase):
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
 
     def test_nothing_of_the_file_is_read_while_solving(self):
         solving, asked, calls = set(), set(), []
@@ -89,7 +89,7 @@ class HubsTest(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
 
     def test_whose_a_sink_is_is_asked_of_the_original(self):
         wiring, systems = support.addon("core.wiring"), support.addon("core.declare").systems()
@@ -105,7 +105,7 @@ class NestedTest(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
         for name, length in (("Outer", 2.0), ("Inner", 3.0)):
             course = bpy.data.objects["Course"].copy()
             course.data = course.data.copy()
@@ -148,7 +148,7 @@ class DeletedTest(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        live_scenes.build()
+        live_scenes.opened()
         self.apart = bpy.data.collections.new("Apart")
         bpy.context.scene.collection.children.link(self.apart)
         self.course = bpy.data.objects["Course"]
