@@ -219,6 +219,39 @@ class TestCopies(LiveFile):
         self.assertEqual([obj.name for obj in flakes if obj.keys()], [])
 
 
+class TestPurge(LiveFile):
+    """*Purge* of *File > Clean Up*, with all that it can do: what is in the scene stays whole."""
+
+    def purge(self):
+        before = {obj.name for obj in bpy.data.objects}
+        for _ in range(2):
+            bpy.ops.outliner.orphans_purge(do_local_ids=True, do_linked_ids=True, do_recursive=True)
+        self.assertEqual({obj.name for obj in bpy.data.objects}, before)
+
+    def test_in_the_file(self):
+        self.open()
+        self.purge()
+        self.assert_moves()
+
+    def test_in_a_file_of_an_earlier_version(self):
+        self.open()
+        for mesh in hub_meshes():
+            mesh.use_fake_user = False
+        path = str(self.folder / "earlier.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        bpy.ops.wm.open_mainfile(filepath=path)
+        self.purge()
+        self.assert_moves()
+
+    def test_appended(self):
+        with bpy.data.libraries.load(self.path) as (_, wanted):
+            wanted.collections = ["Props"]
+        bpy.context.scene.collection.children.link(wanted.collections[0])
+        bpy.context.view_layer.update()
+        self.purge()
+        self.assert_moves()
+
+
 class TestLeaving(LiveFile):
     def delete(self, *names):
         """And save, by which owners leave a Blender without a window."""
@@ -264,6 +297,18 @@ class TestLeaving(LiveFile):
         self.delete("Engine", "Parcel")
         for name in ("Engine", "Parcel"):
             self.assertIn(name, bpy.data.objects)
+
+    def test_owner_that_a_script_removes(self):
+        self.open()
+        for name in self.names:
+            bpy.data.objects.remove(bpy.data.objects[name])
+        with tempfile.TemporaryDirectory(prefix="motus-test-") as folder:
+            path = str(Path(folder, "removed.blend"))
+            for _ in range(2):  # Blender writes a mesh that only an unused object uses; its users are counted again when it is read
+                bpy.ops.wm.save_as_mainfile(filepath=path)
+                bpy.ops.wm.open_mainfile(filepath=path)
+        self.assertEqual(hub_meshes(), [])
+        self.assertEqual([obj.name for obj in helpers()], [])
 
     def test_undo(self):
         self.open()

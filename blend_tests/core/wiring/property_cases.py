@@ -105,6 +105,10 @@ class PropertyTestCase(WiringTestCase):
             with self.subTest(frame=frame):
                 self.assert_close(values(owner), shown(owner), 1e-6)
 
+    @staticmethod
+    def problem(owner):
+        return wiring.problem(SYSTEM, owner, bpy.context.evaluated_depsgraph_get())
+
     def own_values(self, owner):
         """What the properties are without the system, at all frames."""
         wiring.detach(SYSTEM, owner)

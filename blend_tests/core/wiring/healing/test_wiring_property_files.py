@@ -5,6 +5,8 @@ import json
 import bpy
 
 import support
+import toy_dial_system
+import toy_system
 from core.wiring.property_cases import FRAMES, SYSTEM, PropertyTestCase, build, places, property_sink, shown, values
 from core.wiring.wiring_cases import frame_set
 
@@ -19,6 +21,84 @@ def rows():
         frame_set(frame)
         found.append(values(bpy.data.objects["Owner"]))
     return found
+
+
+class OtherObjectTest(PropertyTestCase):
+    """An owner that drives a property of another object, and nothing else of it."""
+
+    def setUp(self):
+        super().setUp()
+        self.owner, self.other = toy_system.new_object("Owner"), toy_system.new_object("Other")
+        self.other["custom"] = 0.25
+        self.target = toy_system.new_target()
+        toy_dial_system.dial(self.owner, self.target, (self.other, '["custom"]', -1))
+        frame_set(2)
+
+    def select(self, *objects):
+        for obj in bpy.context.view_layer.objects:
+            obj.select_set(obj in objects)
+        bpy.context.view_layer.objects.active = objects[0]
+
+    def duplicate(self, *objects):
+        self.select(*objects)
+        bpy.ops.object.duplicate()
+        bpy.context.view_layer.update()
+
+    def delete_owner_and_reopen(self):
+        self.select(self.owner)
+        bpy.ops.object.delete()
+        bpy.context.view_layer.update()
+        path = str(self.folder / "deleted.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        bpy.ops.wm.open_mainfile(filepath=path)
+        frame_set(3)
+        self.assertNotIn("Owner", bpy.data.objects)
+        return bpy.data.objects["Other"]
+
+    def shown(self, obj):
+        return support.evaluated(obj)["custom"]
+
+    def test_copied_along_with_it(self):
+        self.duplicate(self.owner, self.other)
+        owner, other = bpy.data.objects["Owner.001"], bpy.data.objects["Other.001"]
+        self.assertEqual(owner.motus.dial.entries[0].thing, other)
+        self.assertIsNone(self.problem(owner))
+        owner.motus.dial.target = target = toy_system.new_object("Far", location=(5.0, 0.0, 0.0))
+        frame_set(3)
+        self.assertAlmostEqual(self.shown(other), toy_dial_system.shown(target.matrix_world, 0), places=6)
+        self.assertAlmostEqual(self.shown(self.other), toy_dial_system.shown(support.evaluated(self.target).matrix_world, 0), places=6)
+        wiring.detach(SYSTEM, owner)
+        self.assertEqual(other["custom"], 0.25)
+
+    def test_deleted_owner_gives_it_back(self):
+        other = self.delete_owner_and_reopen()
+        self.assertFalse(other.animation_data and other.animation_data.drivers)
+        self.assertEqual(self.shown(other), 0.25)
+        self.assertEqual([one.name for one in bpy.data.meshes], [])
+
+    def test_removed_owner_gives_it_back(self):
+        """Removed from the file by a script."""
+        bpy.data.objects.remove(self.owner)
+        path = str(self.folder / "removed.blend")
+        for _ in range(2):  # Blender writes a mesh that only an unused object uses; its users are counted again when it is read
+            bpy.ops.wm.save_as_mainfile(filepath=path)
+            bpy.ops.wm.open_mainfile(filepath=path)
+        other = bpy.data.objects["Other"]
+        self.assertFalse(other.animation_data and other.animation_data.drivers)
+        self.assertEqual(self.shown(other), 0.25)
+        self.assertEqual([one.name for one in bpy.data.meshes], [])
+
+    def test_a_copy_of_a_deleted_owner_takes_over(self):
+        self.duplicate(self.owner)
+        self.assertIsNotNone(self.problem(bpy.data.objects["Owner.001"]))
+        other = self.delete_owner_and_reopen()
+        owner = bpy.data.objects["Owner.001"]
+        self.assertIsNone(self.problem(owner))
+        owner.motus.dial.target.location.x = 7.0
+        frame_set(4)
+        self.assertAlmostEqual(
+            self.shown(other), toy_dial_system.shown(support.evaluated(owner.motus.dial.target).matrix_world, 0), places=6
+        )
 
 
 class FileTest(PropertyTestCase):
@@ -131,7 +211,3 @@ class FileTest(PropertyTestCase):
         bpy.ops.ed.redo()
         frame_set(5)
         self.assertFalse([one for one in places(bpy.data.objects["Owner"]) if one.driver])
-
-    @staticmethod
-    def problem(owner):
-        return wiring.problem(SYSTEM, owner, bpy.context.evaluated_depsgraph_get())

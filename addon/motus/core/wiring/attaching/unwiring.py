@@ -9,7 +9,7 @@ of a datablock are told apart.
 import bpy
 
 from ...blender import drivers
-from ...declare import is_owner, of_owner, systems
+from ...declare import groups_of, is_owner, of_owner, systems
 from ...declare.forgetting import drop_dead_copy
 from ...evaluated import copies
 from ..hubs import outbox, sharing
@@ -32,9 +32,10 @@ def unwire(system, owner, parts):
     for obj in finding.remove_all(system, owner, parts):
         overrides.unmark(system, obj)
     property_sink.remove(system, held)
-    for mesh in meshes:
-        if mesh not in held:
-            property_sink.remove_copies(system, owner, mesh)
+    strange = [mesh for mesh in meshes if mesh not in held]
+    groups = groups_of(system, owner) if strange else ()
+    for mesh in strange:
+        property_sink.remove_copies(system, owner, groups, mesh)
     settings.hub = None
     settings.more_hubs.clear()
     read = set().union(*map(solver_driver.marked_by, held))

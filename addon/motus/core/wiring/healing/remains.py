@@ -3,6 +3,8 @@
 An owner is an object whose settings Motus solves; its helpers are hidden objects. Blender removes a deleted object when nothing uses the
 object any more. An owner and its hub (the helper with the solver's driver) use each other: without this module, both would stay in the file
 and in Blender's pickers for good. Objects that something else uses stay, as they do in Blender.
+
+Hubs whose owner a script has removed at once are not saved either, although their meshes have a fake user (hubs/hub_lookup.py).
 """
 
 import bpy
@@ -10,7 +12,9 @@ import bpy
 from ...blender import helpers, node_groups
 from ...declare import is_owner, leader_of, systems
 from ...file import deleted
-from ..hubs import outbox
+from ..attaching import attach
+from ..hubs import hub_lookup, outbox, sharing
+from ..sinks import finding, property_sink
 
 
 def remove_soon():
@@ -30,13 +34,45 @@ def stop():
 
 
 def remove_deleted():
-    """Remove the owners of this file that were deleted, and the objects that only these owners and their helpers use."""
+    """Remove the owners of this file that were deleted, and the objects that only these owners and their helpers use.
+
+    The properties that they drove get their own values back. A different owner that is set up to drive such a property, as a copy of the
+    deleted owner is, drives the property from now on.
+    """
     owners = _deleted_owners()
-    for obj in _unneeded(owners) if owners else ():
-        if obj.type == 'MESH' and outbox.is_hub(obj.data):
+    unneeded = _unneeded(owners) if owners else ()
+    abandoned = [mesh for mesh in bpy.data.meshes if not mesh.library and outbox.is_hub(mesh) and sharing.is_abandoned(mesh)]
+    is_free = _free_properties([*(obj.data for obj in unneeded if _is_hub(obj)), *abandoned])
+    for obj in unneeded:
+        if _is_hub(obj):
             bpy.data.meshes.remove(obj.data)
         else:
             bpy.data.objects.remove(obj)
+    for mesh in abandoned:
+        hub_lookup.unprotect(mesh)
+    for system in systems():
+        sharing.tidy(system)
+    if is_free:
+        _drive_free_properties()
+
+
+def _is_hub(obj):
+    return obj.type == 'MESH' and outbox.is_hub(obj.data)
+
+
+def _free_properties(meshes):
+    """Remove the drivers of properties that read these hubs; returns whether there were any. meshes: meshes of the hubs."""
+    by_system = [(system, [mesh for mesh in meshes if outbox.key_on_hub(system, mesh) is not None]) for system in systems()]
+    found = [property_sink.remove(system, ours) for system, ours in by_system if ours]
+    return any(found)
+
+
+def _drive_free_properties():
+    """Wire the owners again that do not drive all of their properties, since a property may be free now."""
+    for system in systems():
+        for owner in [obj for obj in bpy.data.objects if not obj.library and is_owner(system, obj) and not deleted.is_deleted(obj)]:
+            if not all(property_sink.are_driven(system, owner, mesh) for _, mesh in hub_lookup.carriers_of(system, owner)):
+                attach.refresh(system, owner)
 
 
 def _deleted_owners():
@@ -56,14 +92,31 @@ def _unneeded(owners):
     Candidates are the deleted owners, all helpers of the file (objects that Motus has made for its own use, such as hubs), and the objects
     that these drive or point to. A candidate is left out if it has a fake user, or if an object that is no candidate uses it. This is
     repeated until no candidate is left out.
+
+    An object of which an owner drives no transforms but properties alone, such as a face whose shape keys blink, does not keep the owner.
     """
     found = _reached(owners | {obj for obj in bpy.data.objects if helpers.is_helper(obj) and not obj.library})
+    set_only = [(obj, leader) for obj, leader in _led() if leader in found]
     while True:
         counts = _uses_within(found)
+        for obj, leader in set_only:
+            if obj not in found:
+                counts[leader] = counts.get(leader, 0) + 1
         left = {obj for obj in found if not obj.use_fake_user and obj.users == counts.get(obj, 0)}
         if left == found:
             return found
         found = left
+
+
+def _led():
+    """Return (object, owner) for each object that is led by an owner which drives properties of the object, but no transforms."""
+    led = [
+        (system, obj, leader_of(system, obj))
+        for obj in bpy.data.objects
+        if obj.is_property_set("motus") and not obj.library
+        for system in systems()
+    ]
+    return [(obj, leader) for system, obj, leader in led if leader is not None and not finding.has_sinks(system, obj)]
 
 
 def _reached(objects):

@@ -276,6 +276,21 @@ def _with_drawn_curves(event):
     return [(system, owner) for system, owner in _attached() if system.take_over is not None]
 
 
+def _unprotected(event):
+    if event.depsgraph is not None and not _has_new_objects(event):
+        return []
+    return [
+        mesh
+        for mesh in bpy.data.meshes
+        if outbox.is_hub(mesh) and not mesh.library and not hub_lookup.is_protected(mesh) and not sharing.is_abandoned(mesh)
+    ]
+
+
+def _protect_each(meshes, _event):
+    for mesh in meshes:
+        hub_lookup.protect(mesh)
+
+
 def _take_over(found, _event):
     for system, owner in found:
         system.take_over(owner)
@@ -463,6 +478,13 @@ TABLE = (
         (LOADED, ARRIVED, *AFTER_EVALUATION),
         _renamed_settings,
         _move_renamed,
+        needs_use=False,
+    ),
+    Repair(
+        "Hubs came into the file that the purge of unused data would delete: appended, or made by an earlier version",
+        (LOADED, ARRIVED, *AFTER_EVALUATION),
+        _unprotected,
+        _protect_each,
         needs_use=False,
     ),
     Repair("What was linked or appended has drivers of properties that are at rest", AFTER_EVALUATION, _resting, _wake_resting),

@@ -48,4 +48,25 @@ def carriers_of(system, owner):
 
 def new_hub(*names):
     """Create a hub: a hidden object that is in no collection, with an empty mesh. names: parts of the object's name, joined by spaces."""
-    return helpers.make(" ".join(filter(None, ("Motus", *names))), bpy.data.meshes.new("Hub"))
+    hub = helpers.make(" ".join(filter(None, ("Motus", *names))), bpy.data.meshes.new("Hub"))
+    protect(hub.data)
+    return hub
+
+
+def is_protected(mesh):
+    """Whether the recursive purge of unused data (File > Clean Up) leaves a hub alone. mesh: the hub's mesh."""
+    return mesh.use_fake_user
+
+
+def protect(mesh):
+    """Have the recursive purge of unused data leave a hub alone. mesh: the hub's mesh.
+
+    A hub and its owner use each other. Blender before 5.0 takes such a loop for unused, also if the owner is in the scene, and deletes the
+    hub. The purge follows no users of a datablock that has a fake user, so the loop ends at the mesh.
+    """
+    mesh.use_fake_user = True
+
+
+def unprotect(mesh):
+    """Have Blender delete a hub that nothing uses, when the file is saved. mesh: the hub's mesh."""
+    mesh.use_fake_user = False

@@ -166,28 +166,33 @@ def _datablocks(group):
 
 
 def remove(system, meshes):
-    """Remove the drivers that read the hubs with these meshes from all properties, and set the properties to their own values."""
-    for holder, curve, mesh in _sinks(meshes):
+    """Remove the drivers that read the hubs with these meshes from all properties, and set the properties to their own values.
+
+    Returns whether there were any.
+    """
+    found = _sinks(meshes)
+    for holder, curve, mesh in found:
         _restore(system, holder, curve, mesh)
         holder.animation_data.drivers.remove(curve)
         _tidy(holder)
+    return bool(found)
 
 
-def remove_copies(system, owner, mesh):
-    """Remove drivers that read the hub of a different owner and that were copied with this owner or with datablocks that it uses.
+def remove_copies(system, owner, groups, mesh):
+    """Remove drivers that read the hub of a different owner and that were copied with this owner or with datablocks that it drives.
 
-    If the owner is a library override, its drivers that read the overridden hub are removed. mesh: mesh of that hub, whose own owner keeps
-    its drivers.
+    If the owner is a library override, its drivers that read the overridden hub are removed. groups: Groups of this owner. mesh: mesh of
+    that hub, whose own owner keeps its drivers.
     """
-    for order, note in enumerate(_notes_of(mesh)):
-        if _object_key(order) in mesh:
-            continue
-        mine, first = _found(owner, note), _found(mesh.get(outbox.OWNER_KEY), note)
-        if mine is None:
-            continue
-        curve = mine.driver
-        is_copy = first is None or first.id_data != mine.id_data or bool(mesh.override_library)
-        if curve and mesh == _hub_of(curve) and is_copy:
+    notes = _notes_of(mesh)
+    of_first = [_found(mesh.get(_object_key(order), mesh.get(outbox.OWNER_KEY)), note) for order, note in enumerate(notes)]
+    kept = set() if mesh.override_library else {place.id_data for place in of_first if place}
+    own = [(owner, note) for order, note in enumerate(notes) if _object_key(order) not in mesh]
+    others = [(one.object, one) for group in groups for one in group.properties if one.object != owner]
+    for obj, path_and_index in (*own, *others):
+        mine = _found(obj, path_and_index)
+        curve = mine and mine.driver
+        if curve and mesh == _hub_of(curve) and mine.id_data not in kept:
             _restore(system, mine.id_data, curve, mesh)
             mine.id_data.animation_data.drivers.remove(curve)
             _tidy(mine.id_data)
