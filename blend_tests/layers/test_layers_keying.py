@@ -3,7 +3,7 @@
 import itertools
 
 import bpy
-from mathutils import Quaternion
+from mathutils import Quaternion, Vector
 
 import support
 from layers.layer_cases import LayerTestCase, new_action, turning
@@ -318,6 +318,46 @@ class Editing(KeyingTestCase):
             walk = self.played(self.walk, 8)
             self.go_to(8)
             self.assertSeen(walk)
+
+    def test_poses_made_after_the_nla_editor_was_used_to_leave_are_kept(self):
+        self.rig.animation_data_clear()
+        head, arm = self.rig.pose.bones["Head"], self.rig.pose.bones["UpperArm.L"]
+        for mode in ('OVERRIDE', 'ADDITIVE'):
+            with self.subTest(mode=mode):
+                head.location, arm.location = (0.1, 0.2, 0.3), (0.0, 0.4, 0.0)
+                own = tuple(arm.rotation_quaternion)
+                self.add(mode=mode, reference='REST')
+                self.go_to(8)
+                self.edit()
+                self.rig.animation_data.use_tweak_mode = False
+                self.go_to(9)
+                head.location = (0.7, 0.0, 0.0)
+                self.edit()
+                self.go_to(10)
+                self.assertEqual(tuple(head.location), tuple(Vector((0.7, 0.0, 0.0))))
+                self.assertEqual(tuple(arm.rotation_quaternion), own)  # which the layer's action animates
+                self.assertEqual(tuple(arm.location), tuple(Vector((0.0, 0.4, 0.0))))
+                self.assertEqual(bpy.ops.motus.layer_remove(object="Rig"), {'FINISHED'})
+
+    def test_clearing_the_animation_ends_the_editing(self):
+        for is_left in (False, True):
+            for operator in ("layer_edit", "layer_remove"):
+                with self.subTest(is_left=is_left, operator=operator):
+                    entry = self.add(bones="UpperArm.L")
+                    self.go_to(8)
+                    self.edit()
+                    if is_left:
+                        self.rig.animation_data.use_tweak_mode = False
+                    self.rig.animation_data_clear()
+                    self.go_to(9)
+                    self.assertEqual(getattr(bpy.ops.motus, operator)(object="Rig"), {'FINISHED'})
+                    self.assertFalse(self.rig.motus.layers.kept_channels)
+                    if operator == "layer_edit":
+                        self.assertFalse(entry.is_edited)
+                        self.edit()
+                        self.edit()
+                        bpy.ops.motus.layer_remove(object="Rig")
+                    self.assertEqual([one.name for one in self.rig.motus.layers.entries], [])
 
     def test_editing_is_one_step_of_undo(self):
         self.add(bones="UpperArm.L")

@@ -95,23 +95,32 @@ def _free_the_masked(scene, rig, entry):
         curves = actions.curves_of(strip)
         for curve in [one for one in curves if actions.bone_of(one) in masked]:
             curves.remove(curve)
-    names = tuple(rig.pose.bones.keys())
-    other = pointed(entry, "reference_action")
-    compared = clips.Clip(other, "", names, [bone.rotation_mode for bone in rig.pose.bones]) if other else None
-    bones = [rig.pose.bones[name] for name in masked]
-    for bone, neutral in zip(bones, live.neutral_numbers(entry, compared, bones, [names.index(name) for name in masked])):
+    for bone, neutral in _neutral(rig, entry):
         for name, numbers in neutral.items():
             setattr(bone, name, numbers)
 
 
+def _neutral(rig, entry):
+    """Return (bone, {channel: numbers with which an additive layer adds nothing}) for each bone in the layer's mask."""
+    names, masked = tuple(rig.pose.bones.keys()), mask.names(rig, entry)
+    other = pointed(entry, "reference_action")
+    compared = clips.Clip(other, "", names, [bone.rotation_mode for bone in rig.pose.bones]) if other else None
+    bones = [rig.pose.bones[name] for name in masked]
+    return list(zip(bones, live.neutral_numbers(entry, compared, bones, [names.index(name) for name in masked])))
+
+
 def leave(rig):
-    """End the editing of a layer: the rig has the action and the values again that it had, and its NLA no track of ours."""
-    animation = rig.animation_data
-    if animation.use_tweak_mode:
-        animation.use_tweak_mode = False
-    _remove_tracks(animation)
-    if animation.action is None and not animation.nla_tracks and not animation.drivers:
-        rig.animation_data_clear()
+    """End the editing of a layer: the rig has the action and the values again that it had, and its NLA no track of ours.
+
+    If the user has left the tweak mode before, in the NLA editor or by clearing the animation, poses that were made since are kept.
+    """
+    animation, was_left = rig.animation_data, live.was_left(rig)
+    if animation is not None:
+        if animation.use_tweak_mode:
+            animation.use_tweak_mode = False
+        _remove_tracks(animation)
+        if animation.action is None and not animation.nla_tracks and not animation.drivers:
+            rig.animation_data_clear()
     with entries.at_once(system(), rig) as settings:
         kept = {}
         with suppress(stored.Damaged):  # a file may hold anything
@@ -119,6 +128,8 @@ def leave(rig):
         settings.kept_channels = ""
         for entry in settings.entries:
             if entry.is_edited:
+                if was_left:
+                    kept = _not_posed(rig, entry, kept)
                 entry.is_edited = False
                 _let_go(entry)
     for name, channels in kept.items():
@@ -126,6 +137,25 @@ def leave(rig):
         for one, numbers in channels.items() if bone else ():
             setattr(bone, one, numbers)
     rig.update_tag()
+
+
+def _not_posed(rig, entry, kept):
+    """Return the part of `kept`, {bone: {channel: numbers}}, whose channels have present values that editing the layer gave them.
+
+    These are the channels that the layer's action animates, and what the bones of an additive layer got to begin with.
+    """
+    action = pointed(entry, "action")
+    ours = clips.curves_of_bones(action, entry.slot, rig.pose.bones.keys()) if action else {}
+    begun = {bone.name: numbers for bone, numbers in _neutral(rig, entry)} if entry.mode == 'ADDITIVE' else {}
+
+    def is_ours(bone, channel):
+        return channel in ours.get(bone, ()) or list(getattr(rig.pose.bones[bone], channel)) == list(begun.get(bone, {}).get(channel, ()))
+
+    return {
+        bone: {channel: numbers for channel, numbers in channels.items() if is_ours(bone, channel)}
+        for bone, channels in kept.items()
+        if bone in rig.pose.bones
+    }
 
 
 def _tweak(scene, rig, entry):
