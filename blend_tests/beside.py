@@ -10,7 +10,7 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-import support  # noqa: E402  (found by the line above)
+import support
 
 
 def run(code):

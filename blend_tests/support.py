@@ -153,9 +153,9 @@ def use_eevee(scene, engine, samples):
 
 
 RENDERS = """
-import bpy, support
+import bpy
 scene = bpy.context.scene
-support.use_eevee(scene, support.addon("core.blender.capabilities").eevee_engine(), samples=1)
+scene.render.engine = 'BLENDER_WORKBENCH'
 scene.render.resolution_x = scene.render.resolution_y = 8
 bpy.ops.render.render()
 print("RENDERED", flush=True)
@@ -164,8 +164,11 @@ print("RENDERED", flush=True)
 
 @functools.cache
 def can_draw():
-    """Whether a Blender without a window can draw with OpenGL or its like here. Where it cannot, EEVEE ends the process, so another one tries."""
-    status, output = run_blender(RENDERS)
+    """Whether a Blender without a window can draw with OpenGL or its like here.
+
+    Where it cannot, EEVEE ends the process. So another one tries, with Workbench, which draws by the same means and has few shaders to compile.
+    """
+    status, output = run_blender(RENDERS, enabled=False)
     if status == 1:  # of an exception
         raise AssertionError(output)
     return "RENDERED" in output
@@ -254,9 +257,17 @@ def addon_folder(profile):
 
 
 def copy_profile(folder):
-    """Copies this Blender's profile to `folder`/profile, for a test that spoils the installed add-on."""
-    source = Path(os.environ["BLENDER_USER_RESOURCES"])
-    return Path(shutil.copytree(source, Path(folder, "profile"), ignore=shutil.ignore_patterns("__pycache__")))
+    """Copies this Blender's profile to `folder`/profile, for a test that spoils the installed add-on; with what Python has compiled of it."""
+    source, copy = Path(os.environ["BLENDER_USER_RESOURCES"]), Path(folder, "profile")
+    shutil.copytree(source, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    if _compiled(source).is_dir():
+        shutil.copytree(_compiled(source), _compiled(copy))
+    return copy
+
+
+def _compiled(folder):
+    """Where Blenders that tests start have compiled sources of a folder."""
+    return Path(os.environ["PYTHONPYCACHEPREFIX"], *folder.absolute().parts[1:])
 
 
 def _command(arguments, enabled, script):
@@ -300,12 +311,13 @@ class BlenderBeside:
     It is started for the first piece, and again for the next one where a piece has ended it.
     """
 
-    def __init__(self, profile=None, enabled=True):
-        self._profile, self._enabled, self._process = profile, enabled, None
+    def __init__(self, profile=None, arguments=("--factory-startup",), enabled=True):
+        self._command, self._environment = _command(arguments, enabled, TESTS / "beside.py"), _environment(profile)
+        self._process = None
 
     def run(self, code):
         """Runs Python `code`; returns (0, or 1 after an exception, or the status with which Blender ended; what it has printed)."""
-        if self._process is None:
+        if self._process is None or self._process.poll() is not None:
             self._start()
         timer = threading.Timer(LONGEST, self._process.kill)
         timer.start()
@@ -332,8 +344,8 @@ class BlenderBeside:
 
     def _start(self):
         self._process = subprocess.Popen(
-            _command(("--factory-startup",), self._enabled, TESTS / "beside.py"),
-            env=_environment(self._profile),
+            self._command,
+            env=self._environment,
             text=True,
             encoding="utf-8",
             errors="replace",
@@ -344,16 +356,17 @@ class BlenderBeside:
 
 
 @functools.cache
-def _kept_beside(enabled):
+def _kept_beside(arguments, enabled):
     """The Blender in which all tests run such code; it ends with this one."""
-    kept = BlenderBeside(enabled=enabled)
+    kept = BlenderBeside(arguments=arguments, enabled=enabled)
     atexit.register(kept.close)
     return kept
 
 
-def run_beside(code, enabled=True):
+def run_beside(code, arguments=("--factory-startup",), enabled=True):
     """Runs Python `code` in another Blender without a window, in Blender's own start-up file; returns (0, or another status after an error; its output).
 
-    That Blender serves all tests of a run: what one of them has imported is there already. `enabled`: one with the add-on switched on.
+    That Blender serves all tests of a run that name the same arguments: what one of them has imported is there already. `enabled`: one with
+    the add-on switched on.
     """
-    return _kept_beside(enabled).run(code)
+    return _kept_beside(arguments, enabled).run(code)

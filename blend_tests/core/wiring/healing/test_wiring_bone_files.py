@@ -61,7 +61,7 @@ class FileTest(BoneTestCase):
             "                      for _, bone in sorted(rig.pose.bones.items())])",
             f"    print({MARK!r} + json.dumps(found), flush=True)",
         ]
-        status, output = support.run_beside("\n".join(lines), enabled)
+        status, output = support.run_beside("\n".join(lines), enabled=enabled)
         self.assertEqual(status, 0, output)
         found = [json.loads(part.splitlines()[0]) for part in output.split(MARK)[1:]]
         self.assertEqual(len(found), len(paths), output)

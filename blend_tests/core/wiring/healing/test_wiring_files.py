@@ -63,7 +63,8 @@ class FileTest(WiringTestCase):
         register = "import toy_system\ntoy_system.register()" if enabled else ""
         tests = "healing.test_wiring_files" if enabled else "bare"
         status, output = support.run_beside(
-            f"{register}\nimport core.wiring.{tests} as tests\ntests.print_matrices({path!r}, {addresses!r}, {use_scripts!r})\n", enabled
+            f"{register}\nimport core.wiring.{tests} as tests\ntests.print_matrices({path!r}, {addresses!r}, {use_scripts!r})\n",
+            enabled=enabled,
         )
         self.assertEqual(status, 0, output)
         return json.loads(output.split(MARK)[1].splitlines()[0])
