@@ -12,8 +12,9 @@ import support
 REPORT = """
 import addon_utils, importlib, sys
 import support
-for name in [name for name in sys.modules if f"{name}.".startswith(f"{support.module_name()}.")]:
-    del sys.modules[name]
+for name in list(sys.modules):
+    if f"{name}.".startswith(f"{support.module_name()}."):
+        del sys.modules[name]
 importlib.invalidate_caches()
 if hasattr(addon_utils, "extensions_refresh"):
     addon_utils.extensions_refresh()
