@@ -1,13 +1,16 @@
 """What the tests inside Blender share: the installed add-on, empty scenes, and fresh Blender processes."""
 
+import atexit
 import functools
 import importlib
+import json
 import math
 import os
 import shlex
 import shutil
 import subprocess
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 
@@ -16,6 +19,10 @@ import bpy
 
 TESTS = Path(__file__).resolve().parent
 CLONE = TESTS.parent
+LONGEST = 300
+"""Seconds after which another Blender has failed that has not ended, or not done its piece of work."""
+DONE = "motus: done with status "
+"""What a Blender beside this one prints, with a number, after each piece of code."""
 
 
 @functools.cache
@@ -149,9 +156,9 @@ def use_eevee(scene, engine, samples):
 
 
 RENDERS = """
-import bpy, support
+import bpy
 scene = bpy.context.scene
-support.use_eevee(scene, support.addon("core.blender.capabilities").eevee_engine(), samples=1)
+scene.render.engine = 'BLENDER_WORKBENCH'
 scene.render.resolution_x = scene.render.resolution_y = 8
 bpy.ops.render.render()
 print("RENDERED", flush=True)
@@ -160,8 +167,11 @@ print("RENDERED", flush=True)
 
 @functools.cache
 def can_draw():
-    """Whether a Blender without a window can draw with OpenGL or its like here. Where it cannot, EEVEE ends the process, so another one tries."""
-    status, output = run_blender(RENDERS)
+    """Whether a Blender without a window can draw with OpenGL or its like here.
+
+    Where it cannot, EEVEE ends the process. So another one tries, with Workbench, which draws by the same means and has few shaders to compile.
+    """
+    status, output = run_blender(RENDERS, enabled=False)
     if status == 1:  # of an exception
         raise AssertionError(output)
     return "RENDERED" in output
@@ -250,27 +260,116 @@ def addon_folder(profile):
 
 
 def copy_profile(folder):
-    """Copies this Blender's profile to `folder`/profile, for a test that spoils the installed add-on."""
-    source = Path(os.environ["BLENDER_USER_RESOURCES"])
-    return Path(shutil.copytree(source, Path(folder, "profile"), ignore=shutil.ignore_patterns("__pycache__")))
+    """Copies this Blender's profile to `folder`/profile, for a test that spoils the installed add-on; with what Python has compiled of it."""
+    source, copy = Path(os.environ["BLENDER_USER_RESOURCES"]), Path(folder, "profile")
+    shutil.copytree(source, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    if _compiled(source).is_dir():
+        shutil.copytree(_compiled(source), _compiled(copy))
+    return copy
+
+
+def _compiled(folder):
+    """Where Blenders that tests start have compiled sources of a folder."""
+    return Path(os.environ["PYTHONPYCACHEPREFIX"], *folder.absolute().parts[1:])
+
+
+def _command(arguments, enabled, script):
+    """Starts a Blender without a window that runs a script; an exception in the script ends it with status 1."""
+    switch = ("--addons", module_name()) if enabled else ()
+    return [*program(), "--background", *arguments, "--python-exit-code", "1", *switch, "--python", str(script)]
+
+
+def _environment(profile):
+    """That of this process; with another profile than this process's, unless it is None."""
+    if profile is None:
+        return dict(os.environ)
+    kept = {name: value for name, value in os.environ.items() if not name.startswith("BLENDER_USER_")}
+    return kept | {"BLENDER_USER_RESOURCES": str(profile)}
 
 
 def run_blender(code, profile=None, arguments=("--factory-startup",), enabled=True):
     """Runs Python `code` in a fresh Blender without a window; returns (exit status, its output).
 
+    For what a start of Blender, its end, a profile or an argument is part of; all else is run by run_beside(), which is quicker.
     `profile`: another profile than this process's. `enabled`: with the add-on switched on before the code runs.
     """
-    environment = dict(os.environ)
-    if profile is not None:
-        for variable in [name for name in environment if name.startswith("BLENDER_USER_")]:
-            del environment[variable]
-        environment["BLENDER_USER_RESOURCES"] = str(profile)
-    switch = ("--addons", module_name()) if enabled else ()
     with tempfile.TemporaryDirectory(prefix="motus-test-") as folder:
         script = Path(folder, "script.py")
         script.write_text(f"import sys; sys.path.insert(0, {str(TESTS)!r})\n{code}", encoding="utf-8")
-        command = [*program(), "--background", *arguments, "--python-exit-code", "1", *switch, "--python", str(script)]
         done = subprocess.run(
-            command, env=environment, text=True, timeout=300, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+            _command(arguments, enabled, script),
+            env=_environment(profile),
+            text=True,
+            timeout=LONGEST,
+            check=False,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
         )
     return done.returncode, done.stdout
+
+
+class BlenderBeside:
+    """Another Blender without a window, which runs pieces of code one after the other, each in Blender's own start-up file.
+
+    It is started for the first piece, and again for the next one where a piece has ended it.
+    """
+
+    def __init__(self, profile=None, arguments=("--factory-startup",), enabled=True):
+        self._command, self._environment = _command(arguments, enabled, TESTS / "beside.py"), _environment(profile)
+        self._process = None
+
+    def run(self, code):
+        """Runs Python `code`; returns (0, or 1 after an exception, or the status with which Blender ended; what it has printed)."""
+        if self._process is None or self._process.poll() is not None:
+            self._start()
+        timer = threading.Timer(LONGEST, self._process.kill)
+        timer.start()
+        try:
+            self._process.stdin.write(json.dumps(code) + "\n")
+            self._process.stdin.flush()
+            lines = []
+            for line in self._process.stdout:
+                if line.startswith(DONE):
+                    return int(line.removeprefix(DONE)), "".join(lines)
+                lines.append(line)
+        finally:
+            timer.cancel()
+        return self.close() or 1, "".join(lines)
+
+    def close(self):
+        """Ends it; returns its exit status."""
+        if self._process is None:
+            return 0
+        with self._process as ended:
+            self._process = None
+            ended.stdin.close()
+        return ended.returncode
+
+    def _start(self):
+        self._process = subprocess.Popen(
+            self._command,
+            env=self._environment,
+            text=True,
+            encoding="utf-8",
+            errors="replace",
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
+
+
+@functools.cache
+def _kept_beside(arguments, enabled):
+    """The Blender in which all tests run such code; it ends with this one."""
+    kept = BlenderBeside(arguments=arguments, enabled=enabled)
+    atexit.register(kept.close)
+    return kept
+
+
+def run_beside(code, arguments=("--factory-startup",), enabled=True):
+    """Runs Python `code` in another Blender without a window, in Blender's own start-up file; returns (0, or another status after an error; its output).
+
+    That Blender serves all tests of a run that name the same arguments: what one of them has imported is there already. `enabled`: one with
+    the add-on switched on.
+    """
+    return _kept_beside(arguments, enabled).run(code)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bpy
 
+import installed_scene
 import support
 
 IS_EXTENSION = bpy.app.version >= (4, 2, 0)
@@ -51,9 +52,9 @@ class InstalledAgainTest(support.SceneTestCase):
         temporary = tempfile.TemporaryDirectory(prefix="motus-test-")
         cls.addClassCleanup(temporary.cleanup)
         cls.made = Path(temporary.name)
-        code = f"import installed_scene as it; it.build({temporary.name!r}); it.write({temporary.name!r}, 'before.json')"
-        status, output = support.run_blender(code)
-        assert status == 0, output
+        support.empty_scene()
+        installed_scene.build(temporary.name)
+        installed_scene.write(temporary.name, "before.json")
 
     def setUp(self):
         super().setUp()

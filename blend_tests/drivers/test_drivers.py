@@ -115,10 +115,8 @@ class Functions(DriverTestCase):
         wanted = locations(frames)
         path = str(self.folder / "driven.blend")
         bpy.ops.wm.save_as_mainfile(filepath=path)
-        status, output = support.run_blender(
-            "import support\nfrom drivers import test_drivers as tests\nsupport.enable()\n"
-            f"tests.print_locations({path!r}, {frames!r}, False)\n",
-            arguments=("--factory-startup", "--disable-autoexec"),
+        status, output = support.run_beside(
+            f"from drivers import test_drivers as tests\ntests.print_locations({path!r}, {frames!r}, False)\n"
         )
         self.assertEqual(status, 0, output)
         self.assertEqual(json.loads(output.split(MARK)[1].splitlines()[0]), wanted)

@@ -120,7 +120,7 @@ class DynamicsKeptTest(support.SceneTestCase):
             "rig.data.edit_bones['Tail 0 1'].tail = 0.4, 0.2, 1.7; bpy.ops.object.mode_set(mode='OBJECT'); "
             f"bpy.ops.wm.save_as_mainfile(filepath={path!r})"
         )
-        status, output = support.run_blender(edit)
+        status, output = support.run_beside(edit)
         self.assertEqual(status, 0, output)
         bpy.data.libraries[0].reload()
         self.assertSeen(bpy.data.objects["Mine"], "Tail 0 1", before, 22)

@@ -29,7 +29,7 @@ SHOWN = 20
 def states_without(folder, path, picture=""):
     """(states, leftovers) of a file that a fresh Blender opens without the add-on, as plain_state finds them. picture: file to render into."""
     out = str(folder / "states.npz")
-    status, output = support.run_blender(READS.format(path=str(path), out=out, frames=FRAMES, picture=picture, shown=SHOWN), enabled=False)
+    status, output = support.run_beside(READS.format(path=str(path), out=out, frames=FRAMES, picture=picture, shown=SHOWN), enabled=False)
     if status:
         raise AssertionError(output)
     return plain_state.stored(out)

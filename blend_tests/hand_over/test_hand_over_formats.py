@@ -137,7 +137,7 @@ class TestFormats(support.SceneTestCase):
         path = hand_over_cases.handed_over(self, end=24, formats=there)
         files = {name: str(path.with_suffix(formats.FORMATS[name].suffix)) for name in sorted(there)}
         self.assertEqual({one.name for one in self.folder.iterdir()}, {path.name, *(f"out{formats.FORMATS[one].suffix}" for one in there)})
-        status, output = support.run_blender(READS.format(paths=files, what="places"), enabled=False)
+        status, output = support.run_beside(READS.format(paths=files, what="places"), enabled=False)
         self.assertEqual(status, 0, output)
         found = json.loads(output.partition("FOUND ")[2].splitlines()[0])
         for name in sorted(there):
@@ -162,7 +162,7 @@ class TestFormats(support.SceneTestCase):
         expected = own_flakes(emitter)
         self.assertGreater(len(expected[-1][0]), 10)
         files = {name: str(path.with_suffix(formats.FORMATS[name].suffix)) for name in sorted(there)}
-        status, output = support.run_blender(READS.format(paths=files, what="flakes"), enabled=False)
+        status, output = support.run_beside(READS.format(paths=files, what="flakes"), enabled=False)
         self.assertEqual(status, 0, output)
         found = json.loads(output.partition("FOUND ")[2].splitlines()[0])
         for index, (rows, corners) in enumerate(expected[1:], 1):  # there are no flakes on the first frame

@@ -87,7 +87,7 @@ class Targets(IkTestCase):
         self.assertNear(self.tail(rig), before)
         path = str(self.folder / "deleted.blend")
         bpy.ops.wm.save_as_mainfile(filepath=path)
-        status, output = support.run_blender(f"""
+        status, output = support.run_beside(f"""
 import bpy
 bpy.ops.wm.open_mainfile(filepath={path!r})
 rig = bpy.data.objects["Rig"]

@@ -213,7 +213,7 @@ class Refusals(PathTestCase):
             "case.scene.collection.objects.unlink(curve)\n"
             "assert 'no collection' in case.sentence(car, 3)\n"
         )
-        status, output = support.run_blender(code)
+        status, output = support.run_beside(code)
         self.assertEqual(status, 0, output)
 
     def test_deleted_and_undone(self):

@@ -157,7 +157,7 @@ class Said(PathTestCase):
             "bpy.ops.motus.path_pin_add(object='Two', frame=7, fraction=0.5)\n"
             "bpy.ops.motus.path_pin_add(object='Two', frame=7, fraction=0.6)\n"
         )
-        status, output = support.run_blender(code)
+        status, output = support.run_beside(code)
         self.assertEqual(status, 0, output)
         said = [line for line in output.splitlines() if line.startswith(("Info: ", "Warning: ", "Error: "))]
         self.assertEqual(

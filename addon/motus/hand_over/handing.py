@@ -9,7 +9,6 @@ import json
 import os
 import shlex
 import shutil
-import subprocess
 import tempfile
 import time
 from contextlib import suppress
@@ -91,6 +90,8 @@ def hand_over(scene, view_layer, path, frames, formats=(), span=()):
             "formats": sorted(formats),
             "span": span,
         }
+        import subprocess
+
         with tempfile.TemporaryFile("w+b") as said:
             # Signals stay as they are: a file that grows too large is an error then, which has a sentence.
             process = subprocess.Popen(

@@ -254,7 +254,7 @@ class BakeTest(BakeTestCase):
 
     def test_report(self):
         owner, _ = build_followers(toy_system.new_target(), count=3)
-        status, output = support.run_blender(f"""
+        status, output = support.run_beside(f"""
 import bpy, support, toy_system
 from core.wiring import wiring_cases
 support.enable()

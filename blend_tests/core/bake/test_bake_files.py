@@ -156,7 +156,7 @@ class HostileFileTest(BakeTestCase):
         self.assertEqual((tuple(bone.rotation_quaternion), bone.constraints[-1].mute), wanted)
 
     def test_it_says_so(self):
-        status, output = support.run_blender("""
+        status, output = support.run_beside("""
 import bpy, support, toy_system
 from core.wiring import wiring_cases
 support.enable()

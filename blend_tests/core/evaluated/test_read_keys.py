@@ -276,5 +276,5 @@ class CallsTest(support.SceneTestCase):
 
     def test_of_what_is_removed(self):
         """In another scene, or by a handler that is called before: Blender's copies are still there, and point to freed memory."""
-        status, said = support.run_blender(REMOVED, arguments=("--factory-startup", "--debug-memory"))
+        status, said = support.run_beside(REMOVED, arguments=("--factory-startup", "--debug-memory"))
         self.assertEqual((status, said.count("ALIVE")), (0, 2), said)

@@ -60,7 +60,7 @@ SAID = (
 class Reports(support.SceneTestCase):
     @support.in_one_blender
     def test_what_is_said(self):
-        status, output = support.run_blender(SCRIPT)
+        status, output = support.run_beside(SCRIPT)
         self.assertEqual(status, 0, output)
         said = [line.partition(": ")[2] for line in output.splitlines() if line.startswith("Info: ")]
         for sentence in SAID:

@@ -77,7 +77,7 @@ class Reports(support.SceneTestCase):
         code = "from ik.matching import test_ik_match_reports\n" + "".join(
             f"scene = test_ik_match_reports.Scenes()\nscene.setUp()\nscene.{call}\n" for call in calls
         )
-        status, output = support.run_blender(code)
+        status, output = support.run_beside(code)
         self.assertEqual(status, 0, output)
         found = [match.groups() for match in map(MATCHED.match, output.splitlines()) if match]
         self.assertEqual(len(found), len(calls), output)

@@ -53,7 +53,7 @@ class FilesTest(cases.PinsTestCase):
         path = self.save()
         for use_scripts in (True, False):
             with self.subTest(use_scripts=use_scripts):
-                status, output = support.run_blender(BARE.format(path=path, use_scripts=use_scripts), enabled=False)
+                status, output = support.run_beside(BARE.format(path=path, use_scripts=use_scripts), enabled=False)
                 self.assertEqual(status, 0, output)
                 line = next(line for line in output.splitlines() if line.startswith("RESULT "))
                 self.assertEqual(json.loads(line.removeprefix("RESULT ")), [0.0, 441])
@@ -61,7 +61,7 @@ class FilesTest(cases.PinsTestCase):
     def test_a_fresh_blender_with_the_addon(self):
         self.pinned()
         path = self.save()
-        status, output = support.run_blender(BARE.format(path=path, use_scripts=False))
+        status, output = support.run_beside(BARE.format(path=path, use_scripts=False))
         self.assertEqual(status, 0, output)
         line = next(line for line in output.splitlines() if line.startswith("RESULT "))
         height, count = json.loads(line.removeprefix("RESULT "))

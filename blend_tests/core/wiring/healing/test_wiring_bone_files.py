@@ -46,11 +46,11 @@ class FileTest(BoneTestCase):
             for matrix, wanted_matrix in zip(frame, wanted_frame):
                 self.assert_same_matrix(matrix, wanted_matrix, tolerance)
 
-    def in_fresh_blender(self, paths, use_scripts=True, enabled=True):
-        """What rows() finds in each of the files, which one Blender opens one after the other."""
-        lines = ["import json, bpy", "import support, toy_bone_system" if enabled else ""]
-        lines += ["support.enable(); toy_bone_system.register()" if enabled else ""]
-        lines += [
+    def in_another_blender(self, paths, use_scripts=True, enabled=True):
+        """What rows() finds in each of the files, which another Blender opens one after the other."""
+        lines = [
+            "import json, bpy",
+            "import toy_bone_system; toy_bone_system.register()" if enabled else "",
             f"for path in {paths!r}:",
             f"    bpy.ops.wm.open_mainfile(filepath=path, use_scripts={use_scripts!r})",
             "    found = []",
@@ -61,8 +61,7 @@ class FileTest(BoneTestCase):
             "                      for _, bone in sorted(rig.pose.bones.items())])",
             f"    print({MARK!r} + json.dumps(found), flush=True)",
         ]
-        arguments = ("--factory-startup", "--enable-autoexec" if use_scripts else "--disable-autoexec")
-        status, output = support.run_blender("\n".join(lines), arguments=arguments, enabled=enabled)
+        status, output = support.run_beside("\n".join(lines), enabled=enabled)
         self.assertEqual(status, 0, output)
         found = [json.loads(part.splitlines()[0]) for part in output.split(MARK)[1:]]
         self.assertEqual(len(found), len(paths), output)
@@ -79,7 +78,7 @@ class FileTest(BoneTestCase):
         bpy.ops.wm.open_mainfile(filepath=self.save())
         self.assert_same(rows(), live, 0.0)
 
-    def test_in_a_fresh_blender(self):
+    def test_in_another_blender(self):
         wanted = {}
         for build in KINDS:
             support.empty_scene()
@@ -87,7 +86,7 @@ class FileTest(BoneTestCase):
             live = rows()
             wanted[self.save(build.__name__)] = live
         for use_scripts in (True, False):
-            for path, found in zip(wanted, self.in_fresh_blender(list(wanted), use_scripts)):
+            for path, found in zip(wanted, self.in_another_blender(list(wanted), use_scripts)):
                 with self.subTest(path, use_scripts=use_scripts):
                     self.assert_same(found, wanted[path])
 
@@ -100,7 +99,7 @@ class FileTest(BoneTestCase):
             path = self.save(build.__name__)
             rig.motus.bend.influence = 0.0
             wanted[path] = rows()
-        for path, found in zip(wanted, self.in_fresh_blender(list(wanted), enabled=False)):
+        for path, found in zip(wanted, self.in_another_blender(list(wanted), enabled=False)):
             with self.subTest(path):
                 self.assert_same(found, wanted[path])
 

@@ -42,7 +42,7 @@ def matrices(addresses):
 
 
 def print_matrices(path, addresses, use_scripts):
-    """In a fresh Blender: open a file and print what matrices() finds."""
+    """In another Blender: open a file and print what matrices() finds."""
     bpy.ops.wm.open_mainfile(filepath=path, use_scripts=use_scripts)
     print(MARK + json.dumps(matrices(addresses)), flush=True)
 
@@ -59,16 +59,15 @@ class FileTest(WiringTestCase):
             for matrix, wanted_matrix in zip(frame, wanted_frame):
                 self.assert_same_matrix(matrix, wanted_matrix, tolerance)
 
-    def in_fresh_blender(self, path, addresses, use_scripts=True, enabled=True):
-        register = "support.enable(); toy_system.register()" if enabled else ""
-        needed, tests = ("import support, toy_system", "healing.test_wiring_files") if enabled else ("", "bare")
-        imports = f"{needed}\nimport core.wiring.{tests} as tests"
-        arguments = ("--factory-startup", "--enable-autoexec" if use_scripts else "--disable-autoexec")
-        status, output = support.run_blender(
-            f"{imports}\n{register}\ntests.print_matrices({path!r}, {addresses!r}, {use_scripts!r})\n", arguments=arguments, enabled=enabled
+    def in_another_blender(self, path, addresses, use_scripts=True, enabled=True):
+        register = "import toy_system\ntoy_system.register()" if enabled else ""
+        tests = "healing.test_wiring_files" if enabled else "bare"
+        status, output = support.run_beside(
+            f"{register}\nimport core.wiring.{tests} as tests\ntests.print_matrices({path!r}, {addresses!r}, {use_scripts!r})\n",
+            enabled=enabled,
         )
         self.assertEqual(status, 0, output)
-        return json.loads(output.split(MARK)[1].splitlines()[0]), output
+        return json.loads(output.split(MARK)[1].splitlines()[0])
 
     def test_reopened(self):
         things = [thing for _, driven in build_all().values() for thing in driven]
@@ -77,7 +76,7 @@ class FileTest(WiringTestCase):
         path = self.save()
         bpy.ops.wm.open_mainfile(filepath=path)
         self.assert_same(matrices(addresses), live, 0.0)
-        found, _ = self.in_fresh_blender(path, addresses)
+        found = self.in_another_blender(path, addresses)
         self.assert_same(found, live)
 
     @each_kind
@@ -97,7 +96,7 @@ class FileTest(WiringTestCase):
         kinds = {name: [address(thing) for thing in things] for name, (_, things) in build_all().items()}
         addresses = [one for driven in kinds.values() for one in driven]
         live = matrices(addresses)
-        found, _ = self.in_fresh_blender(self.save(), addresses, use_scripts=False)
+        found = self.in_another_blender(self.save(), addresses, use_scripts=False)
         for name, driven in kinds.items():
             with self.subTest(name):
                 places = [addresses.index(one) for one in driven]
@@ -110,7 +109,7 @@ class FileTest(WiringTestCase):
         for owner, _ in kinds.values():
             owner.motus.orbit.influence = 0.0
         own = matrices(addresses)
-        found, _ = self.in_fresh_blender(path, addresses, enabled=False)
+        found = self.in_another_blender(path, addresses, enabled=False)
         self.assert_same(found, own)
 
     def test_appended(self):
@@ -296,31 +295,34 @@ class RenderTest(WiringTestCase):
         register.write_text(
             f"import sys; sys.path.insert(0, {str(support.TESTS)!r})\nimport toy_system; toy_system.register()\n", encoding="utf-8"
         )
-        for arguments, frames in ((("-f", "12"), (12,)), (("-a",), (9, 10))):
-            out = str(self.folder / f"{arguments[0]}-####.png")
-            done = subprocess.run(
-                [
-                    *support.program(),
-                    "-b",
-                    "--factory-startup",
-                    "--python-exit-code",
-                    "1",
-                    "--addons",
-                    support.module_name(),
-                    "--python",
-                    str(register),
-                    path,
-                    "-o",
-                    out,
-                    *arguments,
-                ],
-                text=True,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT,
-                timeout=300,
-                check=False,
-            )
-            self.assertEqual(done.returncode, 0, done.stdout)
-            for frame in frames:
-                middle = 2.0 * frame - 20.0
-                self.assert_spans(self.folder / f"{arguments[0]}-{frame:04}.png", middle - 1.0, middle + 1.0)
+        out = {option: str(self.folder / f"{option}-####.png") for option in ("-f", "-a")}
+        done = subprocess.run(
+            [
+                *support.program(),
+                "-b",
+                "--factory-startup",
+                "--python-exit-code",
+                "1",
+                "--addons",
+                support.module_name(),
+                "--python",
+                str(register),
+                path,
+                "-o",
+                out["-f"],
+                "-f",
+                "12",
+                "-o",
+                out["-a"],
+                "-a",
+            ],
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            timeout=300,
+            check=False,
+        )
+        self.assertEqual(done.returncode, 0, done.stdout)
+        for option, frame in (("-f", 12), ("-a", 9), ("-a", 10)):
+            middle = 2.0 * frame - 20.0
+            self.assert_spans(out[option].replace("####", f"{frame:04}"), middle - 1.0, middle + 1.0)

@@ -184,7 +184,7 @@ class CopiedLeaderTest(PathTestCase):
 class RemovedTest(PathTestCase):
     def test_by_a_handler_that_is_called_before(self):
         """Rigs and libraries: Blender's copies of what was edited are still there, and point to freed memory."""
-        status, said = support.run_blender(REMOVED, arguments=("--factory-startup", "--debug-memory"))
+        status, said = support.run_beside(REMOVED, arguments=("--factory-startup", "--debug-memory"))
         self.assertEqual((status, said.count("ALIVE")), (0, 2), said)
         self.assertNotIn("could not be wired again", said)
 

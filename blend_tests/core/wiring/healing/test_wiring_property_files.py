@@ -145,7 +145,7 @@ class FileTest(PropertyTestCase):
                 f"    print({MARK!r} + json.dumps([{', '.join(read)}, camera.data.shift_x]))",
             )
         )
-        status, output = support.run_blender(code, enabled=False)
+        status, output = support.run_beside(code, enabled=False)
         self.assertEqual(status, 0, output)
         found = [json.loads(part.splitlines()[0]) for part in output.split(MARK)[1:]]
         self.assertEqual(len(found), len(FRAMES))

@@ -9,8 +9,6 @@ from pathlib import Path
 
 import bpy
 
-import live_scenes
-
 FRAME = 17
 
 
@@ -292,10 +290,13 @@ class _Listener(logging.Handler):
         print("LOGGED", record.getMessage(), *raised, flush=True)
 
 
-def run(folder, keys):
-    """Do everything, each in the scene with all systems. Says ACT before each act, and ALIVE at the end. keys: whether to custom properties."""
+def run(scene, folder, keys):
+    """Do everything, each in the scene with all systems. Says ACT before each act, and ALIVE at the end.
+
+    scene: the file that live_scenes.saved() has written. keys: whether to custom properties.
+    """
     logging.getLogger().addHandler(_Listener())
-    live_scenes.build()
+    bpy.ops.wm.open_mainfile(filepath=scene)
     bpy.context.scene.frame_set(13)
     path, spoilt = (str(Path(folder, name)) for name in ("live.blend", "spoilt.blend"))
     bpy.ops.wm.save_as_mainfile(filepath=path)

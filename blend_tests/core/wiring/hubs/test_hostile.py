@@ -1,19 +1,17 @@
 """Whatever a script or the outliner does to what Motus keeps in a file, Blender stays alive, and nothing raises."""
 
-import unittest
-
+import live_scenes
 import support
 
 outbox = support.addon("core.wiring.hubs.outbox")
 solver = support.addon("core.wiring.solving.namespace")
 
 
-class HostileTest(unittest.TestCase):
+class HostileTest(support.SceneTestCase):
     def check(self, keys):
         """keys: whether the acts are those to custom properties."""
         status, said = support.run_blender(
-            "import tempfile\nfrom core.wiring.hubs import hostile_acts\n"
-            f"with tempfile.TemporaryDirectory(prefix='motus-test-') as folder:\n    hostile_acts.run(folder, {keys})\n"
+            f"from core.wiring.hubs import hostile_acts\nhostile_acts.run({live_scenes.saved()!r}, {str(self.folder)!r}, {keys})\n"
         )
         lines = said.splitlines()
         acts = [line for line in lines if line.startswith("ACT ")]

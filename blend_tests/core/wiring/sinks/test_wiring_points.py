@@ -317,9 +317,9 @@ class PointsFilesTest(PointsTestCase):
     def test_fresh_blenders(self):
         self.sparks()
         path = self.save()
-        status, output = support.run_blender(FRESH.format(path=path))
+        status, output = support.run_beside(FRESH.format(path=path))
         self.assertEqual(status, 0, output)
-        status, output = support.run_blender(BARE.format(path=path), enabled=False)
+        status, output = support.run_beside(BARE.format(path=path), enabled=False)
         self.assertEqual(status, 0, output)
         self.assertIn("KINDS ['EMPTY', 'MESH']", output)
 

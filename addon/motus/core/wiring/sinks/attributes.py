@@ -1,6 +1,5 @@
 """Write arrays of numbers to attributes of the mesh of a hub, a hidden object with a solver's results, or get an attribute's memory."""
 
-import ctypes
 import math
 
 from ...file.stored import Damaged
@@ -63,6 +62,8 @@ def made(mesh, name, data_type, count):
     start, size = data[0].as_pointer(), 4 * math.prod(shape)
     if data[count - 1].as_pointer() != start + (count - 1) * size:
         raise Damaged("items that lie otherwise in memory")
+    import ctypes
+
     return np.ndarray((count, *shape), numbers, (ctypes.c_byte * (count * size)).from_address(start))
 
 
