@@ -59,7 +59,7 @@ layer: a SnowLayer.  movers: (SnowCollider in its own space, its triangles' norm
 (k, 4, 4) to world space, between which it goes evenly) each.  times (n,), rising: the stretch of time is from the first to
 the last; marks of several stretches add up by their maximum.  heights (n, v), m, >= 0: of the snow on each vertex of the layer.
 packed, m, >= 0: depth of the snow that stays under what presses.  step, m, > 0: a mover goes no farther from look to look, of
-which there are 64 at most from one of its times to the next.
+which there are 64 at most from one of its times to the next, and 10,000,000 in all.
 Raises ValueError or TypeError that names the argument.)")
         .def(py::init(&marks_of), "layer"_a, "movers"_a, "times"_a, "heights"_a, py::kw_only(),
              "packed"_a = 0.0, "step"_a = 0.05)
@@ -69,7 +69,7 @@ Raises ValueError or TypeError that names the argument.)")
         .def("pressed", &pressed, "time"_a, "depths"_a, "shares"_a = py::none(), R"(
 (v,) float32: how much snow was pressed away on each vertex until `time`, m.
 
-depths (v,): heights at that time.  shares (v,), None: 1: of the heights that lie there, at all times; what is pressed away is
+depths (v,): heights at that time.  shares (v,), [0, 1], None: 1: of the heights that lie there, at all times; what is pressed away is
 as much of the whole height.
 Raises ValueError or TypeError that names the argument.)");
 }

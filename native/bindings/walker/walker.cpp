@@ -318,7 +318,8 @@ after the last sample it rests. Sample once a frame.
 rest (n, 3), 1 to 256 legs: where each foot stands when the body rests.  ground: a WalkerGround; None: feet stand on these
 rest places.
 phases (n,), duty, [0.05, 0.95]: as from walker_gait(): leg i swings while frac(phase + phases[i]) < 1 - duty.
-stride, [1e-6, 1e6]: the most that the body moves while a foot stands.  cadence, cycles/s, [0.001, 1000]: the slowest; the
+stride, [1e-6, 1e6]: the most that the body moves while a foot stands, which is the duty's share of the way from touch to touch.
+cadence, cycles/s, [0.001, 1000]: the slowest; the
 cadence in use is max(cadence, duty * speed / stride) with the speed of the leg whose rest place moves fastest across `up`.
 A foothold is the ground under the foot's rest place, along `up`, at the middle of its stand; so a foot is never further than
 half a stride from its rest place. Steps of no length are left out: feet of a body at rest end on their rest places and stay.
@@ -328,7 +329,8 @@ left out; all of these >= 0.  up: not zero.
 hips (n, 3), lengths (n,), >= 0, in the world, of whole legs; both or None: footholds out of reach are replaced by places nearer
 to the hip.  bodies (k, 4, 4) or None: how the body's own animation moves the hips in the body's space at the samples, before the
 body follows its feet.  resets: rising indices of samples to which the body jumps, at which the plan begins anew, as
-it does if a rest place moves further than `jump`, > 0, from one sample to the next; None: 4 strides.
+it does if a rest place moves further than `jump`, > 0, from one sample to the next; None: 4 strides, with
+hip_height those of Froude number 1, 9.2 hip heights times the duty.
 frequency, damping, response: the SecondOrder of the body's height and tilt, which follow the plane of its feet; height,
 tilt, [0, 1]: share of each that the body follows.
 forward: of the feet, in the body's space, of which the part across up counts.  ankle, >= 0: height of a foot's place above the ground under its

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -9,6 +10,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <utility>
 
 #include "motus/core/ieee_floats.hpp"
@@ -22,6 +24,9 @@ namespace {
 
 constexpr std::size_t grain = 256;
 constexpr int most_steps = 64;
+constexpr std::size_t most_looks = 10'000'000;
+/// Most faces on a way that are counted.
+constexpr int most_faces = 64;
 /// Share of the greatest height: what presses less deep than this beyond what has pressed before is no event.
 constexpr double least_share = 1.0 / 4096.0;
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -71,6 +76,22 @@ void check(const SnowLayer& layer, std::span<const double> times, std::span<cons
     require(settings.step > 0.0 && std::isfinite(settings.step), "step: must be greater than 0 and finite");
 }
 
+/// Whether a way out of a mover leaves more of its closed shells than it enters. skip: share of the way
+/// within which faces that touch are met once.
+[[nodiscard]] bool starts_inside(const Collider& mover, const glm::dvec3& start, const glm::dvec3& end,
+                                 double skip) {
+    int left = 0;
+    double part = 0.0;
+    for (int face = 0; face < most_faces && part < 1.0; ++face) {
+        const auto met = mover.first_hit(start + part * (end - start), end);
+        if (!met) return false;
+        left += glm::dot(mover.normal(met->triangle), end - start) > 0.0 ? 1 : -1;
+        if (left > 0) return true;
+        part += met->part * (1.0 - part) + skip;
+    }
+    return false;
+}
+
 /// Clearance of a mover over the foot of a column of snow, m along the column; infinite where none of it is
 /// above the foot. `inverse`: from the column's space to the mover's.
 [[nodiscard]] double clearance(const Collider& mover, const Bounds& bounds, const glm::dmat4& inverse,
@@ -87,10 +108,11 @@ void check(const SnowLayer& layer, std::span<const double> times, std::span<cons
     const auto above = mover.first_hit(start, foot + far * up);
     if (!above) return infinite;
     const double found = std::max(0.0, above->part * (far + below) - below);
-    const auto leaves = [&](std::uint32_t triangle) { return glm::dot(mover.normal(triangle), up) > 0.0; };
-    if (!leaves(above->triangle)) return found;
-    const auto beneath = mover.first_hit(foot + below * up, foot - far * up);
-    return beneath && !leaves(beneath->triangle) ? 0.0 : found;
+    // Inside of a shell, also where further ones begin within it. What is open above or below has no inside.
+    const double skip = below / (far + below);
+    const bool is_inside = starts_inside(mover, foot + below * up, foot - far * up, skip) &&
+                           starts_inside(mover, start, foot + far * up, skip);
+    return is_inside ? 0.0 : found;
 }
 
 }  // namespace
@@ -177,43 +199,107 @@ class Marks::Maker {
         return from + at.share * (to - from);
     }
 
-    /// Times of the stretch between which each mover goes evenly.
-    [[nodiscard]] std::vector<double> stops() const {
-        const double first = times_.front(), last = times_.back();
-        std::vector<double> found{first, last};
-        for (const Mover& mover : given_)
-            for (const double time : mover.times)
-                if (time > first && time < last) found.push_back(time);
-        std::ranges::sort(found);
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        return found;
+    /// A mover's even way from one of its samples to the next.
+    struct Leg {
+        double start = 0.0, end = 0.0;  ///< s
+        int steps = 0;                  ///< looks on the way; 0 if the mover rests
+    };
+
+    /// The legs of a mover within the stretch.
+    [[nodiscard]] std::vector<Leg> legs_of(std::size_t mover) const {
+        std::vector<Leg> legs;
+        double before = times_.front();
+        const auto go = [&](double time) {
+            const double way = bounds_[mover].way(movers_.matrix(mover, before), movers_.matrix(mover, time));
+            legs.push_back({before, time, way > 0.0 ? steps_of(way) : 0});
+            before = time;
+        };
+        for (const double time : given_[mover].times)
+            if (time > before && time < times_.back()) go(time);
+        if (before < times_.back()) go(times_.back());
+        return legs;
     }
 
-    void look() {
-        const std::vector<double> at = stops();
-        const std::size_t count = given_.size();
-        std::vector<double> ways(at.size() * count);  // of each mover from each stop to the next; last, none
-        for (std::size_t i = 0; i + 1 < at.size(); ++i)
-            for (std::size_t mover = 0; mover < count; ++mover)
-                ways[i * count + mover] =
-                    bounds_[mover].way(movers_.matrix(mover, at[i]), movers_.matrix(mover, at[i + 1]));
-        // Whether the mover rests after a stop, and until when.
-        const auto rest = [&](std::size_t stop, std::size_t mover) {
-            while (stop + 1 < at.size() && ways[stop * count + mover] == 0.0) ++stop;
-            return at[stop];
-        };
-        for (std::size_t mover = 0; mover < count; ++mover) look_at(mover, at.front(), rest(0, mover));
-        for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    /// Has movers that go from the same time to the same time looked at as often as the fastest of them.
+    static void look_together(std::vector<std::vector<Leg>>& legs) {
+        std::vector<Leg*> moving;
+        for (std::vector<Leg>& of_mover : legs)
+            for (Leg& leg : of_mover)
+                if (leg.steps > 0) moving.push_back(&leg);
+        std::ranges::sort(moving, [](const Leg* one, const Leg* other) {
+            return std::pair(one->start, one->end) < std::pair(other->start, other->end);
+        });
+        for (std::size_t first = 0, next = 0; first < moving.size(); first = next) {
             int steps = 0;
-            for (std::size_t mover = 0; mover < count; ++mover)
-                if (const double way = ways[i * count + mover]; way > 0.0)
-                    steps = std::max(steps, steps_of(way));
-            for (int step = 1; step <= steps; ++step) {
-                const bool is_last = step == steps;
-                const double time = is_last ? at[i + 1] : at[i] + (at[i + 1] - at[i]) * step / steps;
-                for (std::size_t mover = 0; mover < count; ++mover)
-                    if (ways[i * count + mover] > 0.0)
-                        look_at(mover, time, is_last ? rest(i + 1, mover) : time);
+            for (; next < moving.size() && moving[next]->start == moving[first]->start &&
+                   moving[next]->end == moving[first]->end;
+                 ++next)
+                steps = std::max(steps, moving[next]->steps);
+            for (std::size_t i = first; i < next; ++i) moving[i]->steps = steps;
+        }
+    }
+
+    /// The next look at a mover.
+    struct Look {
+        double time = 0.0;
+        std::size_t mover = 0;
+        std::size_t leg = 0;  ///< its number,
+        int step = 0;         ///< and how many of its looks there are to this one
+
+        [[nodiscard]] bool operator>(const Look& other) const {
+            return std::pair(time, mover) > std::pair(other.time, other.mover);
+        }
+    };
+
+    void look() {
+        const std::size_t count = given_.size();
+        std::vector<std::vector<Leg>> legs;
+        for (std::size_t mover = 0; mover < count; ++mover) legs.push_back(legs_of(mover));
+        look_together(legs);
+        std::size_t looks = count;
+        for (const std::vector<Leg>& of_mover : legs)
+            for (const Leg& leg : of_mover) looks += static_cast<std::size_t>(leg.steps);
+        require(looks <= most_looks,
+                "movers: must be fewer, have fewer samples, or go less far, or step be greater: more than "
+                "10,000,000 looks would be made");
+
+        // The number of the first leg from one on in which a mover does not rest.
+        const auto rests_to = [&](std::size_t mover, std::size_t leg) {
+            while (leg < legs[mover].size() && legs[mover][leg].steps == 0) ++leg;
+            return leg;
+        };
+        const auto begin_of = [&](std::size_t mover, std::size_t leg) {
+            return leg < legs[mover].size() ? legs[mover][leg].start : times_.back();
+        };
+        const auto time_of = [&](const Look& look) {
+            const Leg& leg = legs[look.mover][look.leg];
+            return look.step == leg.steps ? leg.end
+                                          : leg.start + (leg.end - leg.start) * look.step / leg.steps;
+        };
+        std::priority_queue<Look, std::vector<Look>, std::greater<>> next;
+        const auto go_on = [&](std::size_t mover, std::size_t leg) {
+            if (leg == legs[mover].size()) return;
+            Look look{0.0, mover, leg, 1};
+            look.time = time_of(look);
+            next.push(look);
+        };
+        for (std::size_t mover = 0; mover < count; ++mover) {
+            const std::size_t leg = rests_to(mover, 0);
+            look_at(mover, times_.front(), begin_of(mover, leg));
+            go_on(mover, leg);
+        }
+        while (!next.empty()) {
+            Look look = next.top();
+            next.pop();
+            if (look.step < legs[look.mover][look.leg].steps) {
+                look_at(look.mover, look.time, look.time);
+                ++look.step;
+                look.time = time_of(look);
+                next.push(look);
+            } else {
+                const std::size_t leg = rests_to(look.mover, look.leg + 1);
+                look_at(look.mover, look.time, begin_of(look.mover, leg));
+                go_on(look.mover, leg);
             }
         }
     }
@@ -308,7 +394,8 @@ void Marks::press(double time, std::span<const float> depths, std::span<const fl
             "shares: must be as many as the vertices, or none");
     require(pressed.size() == vertex_count(), "pressed: must be as many as the vertices");
     require(are_finite(depths), "depths: must be finite");
-    require(are_finite(shares), "shares: must be finite");
+    require(std::ranges::all_of(shares, [](float share) { return share >= 0.0F && share <= 1.0F; }),
+            "shares: must be from 0 to 1");
     in_ieee_floats([&] {
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const std::size_t vertex = vertices_[i];

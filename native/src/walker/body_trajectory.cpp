@@ -15,6 +15,7 @@ namespace motus::walker {
 namespace {
 
 constexpr double strides_of_a_jump = 4.0;
+constexpr double gravity = 9.81;  ///< m/s^2, as natural_stride() has it
 
 /// For the order of evaluation of sums and products to be safe from overflow.
 constexpr double largest_number = 1e12;
@@ -184,7 +185,11 @@ BodyTrajectory::BodyTrajectory(Way way) : way_(checked(std::move(way))), side_(a
 
 bool BodyTrajectory::jumps_to(std::size_t sample) const {
     if (std::ranges::binary_search(way_.resets, sample)) return true;
-    const double most = way_.jump.value_or(strides_of_a_jump * set_stride(sample));
+    // The speed of a jump says nothing of the stride, and after a jump there is none before it.
+    const double hip = way_.hip_height;
+    const double stride =
+        hip > 0.0 ? duty_at(sample - 1) * natural_stride(std::sqrt(gravity * hip), hip) : set_stride(sample);
+    const double most = way_.jump.value_or(strides_of_a_jump * stride);
     return std::ranges::any_of(way_.rest, [&](const glm::dvec3& place) {
         return length_of(in_world(way_.poses[sample], place) - in_world(way_.poses[sample - 1], place)) >
                most;

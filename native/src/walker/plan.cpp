@@ -40,10 +40,6 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
 /// earlier.
 constexpr int spare_footfalls = 2;
 
-[[nodiscard]] bool has_times(const ChosenStep& step) {
-    return step.touch.has_value() || step.until.has_value();
-}
-
 [[nodiscard]] double expected_steps(const BodyTrajectory& trajectory) {
     // At both ends of a stretch there may be one more than there are cycles, and one is if the foot is
     // put.
@@ -76,6 +72,7 @@ Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory,
     require(expected_steps(trajectory) + spare <= most_steps,
             "poses: must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "
             "would be planned");
+    sort_chosen();
     if (!hips_.empty()) return;
     const std::vector<glm::dvec3>& rest = trajectory.way().rest;
     glm::dvec3 middle(0.0);
@@ -125,7 +122,7 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     // The first footfall whose stand is half over when the body comes to rest.
     const auto last = static_cast<int>(
         std::ceil(trajectory_.cycles(stretch, leg, end) + own - 1.0 + 0.5 * trajectory_.duty(stretch, end)));
-    const int spare = is_timed(leg, stretch) ? spare_footfalls : 0;
+    const int spare = is_timed(row(leg, stretch)) ? spare_footfalls : 0;
     Footfalls falls;
     for (int cycle = first; cycle <= std::max(first, last) + spare; ++cycle) {
         Footfall fall;
@@ -162,155 +159,6 @@ void Planner::stand_at(std::size_t leg, std::size_t stretch, double middle, Foot
 double Planner::least_step(const Footfall& fall) const {
     const double none = no_step * fall.pace.stride;
     return fall.chosen ? none : std::max(settings_.minimum_step, none);
-}
-
-bool Planner::is_timed(std::size_t leg, std::size_t stretch) const {
-    return std::ranges::any_of(settings_.chosen, [&](const ChosenStep& one) {
-        return one.leg == leg && has_times(one) && trajectory_.stretch_at(one.time) == stretch;
-    });
-}
-
-std::vector<Planner::ChosenStand> Planner::chosen_stands(std::size_t leg, std::size_t stretch,
-                                                         const Footfalls& falls) const {
-    const auto is_here = [&](const ChosenStep& one) {
-        return one.leg == leg && trajectory_.stretch_at(one.time) == stretch;
-    };
-    if (std::ranges::none_of(settings_.chosen, is_here)) return {};
-    // Footfalls between which there is no step are one stand, which is chosen as a whole.
-    std::vector<std::size_t> stands;
-    for (std::size_t i = 0; i < falls.size(); ++i) {
-        const bool goes_on = i > 0 && length_of(falls[i].place.point - falls[stands.back()].place.point) <=
-                                          least_step(falls[i]);
-        stands.push_back(goes_on ? stands.back() : i);
-    }
-    std::vector<ChosenStand> found;
-    for (std::size_t one = 0; one < settings_.chosen.size(); ++one) {
-        const ChosenStep& step = settings_.chosen[one];
-        if (!is_here(step)) continue;
-        const auto after = std::ranges::upper_bound(falls, step.time, {}, &Footfall::lift);
-        const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - falls.begin() - 1, 0));
-        const auto end = std::ranges::upper_bound(stands, stands[at]);
-        const ChosenStand stand{one, stands[at], static_cast<std::size_t>(end - stands.begin())};
-        const auto place = std::ranges::lower_bound(found, stand.first, {}, &ChosenStand::first);
-        if (place != found.end() && place->first == stand.first)
-            *place = stand;
-        else
-            found.insert(place, stand);
-    }
-    return found;
-}
-
-std::vector<std::size_t> Planner::choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
-    std::vector<ChosenStand> stands = chosen_stands(leg, stretch, falls);
-    std::vector<std::size_t> timed;
-    for (const ChosenStand& stand : stands)
-        if (has_times(settings_.chosen[stand.chosen])) timed.push_back(stand.chosen);
-    if (!timed.empty()) make_room(leg, stretch, falls, stands);
-    for (const ChosenStand& stand : stands) {
-        const ChosenStep& step = settings_.chosen[stand.chosen];
-        for (std::size_t i = stand.first; i < stand.end; ++i) {
-            Footfall& fall = falls[i];
-            fall.chosen = stand.chosen;
-            if (step.fixed) {
-                fall.place = {step.fixed->place, soles_.normal(step.fixed->turn), 0.0};
-                fall.is_grounded = true;
-            } else if (i > stand.first) {
-                fall.place = falls[stand.first].place;
-                fall.is_grounded = falls[stand.first].is_grounded;
-            } else {
-                fall.search.rest += glm::dmat3(fall.pose) * step.offset;
-                find_place(fall);
-            }
-        }
-    }
-    return timed;
-}
-
-void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
-                        std::vector<ChosenStand>& stands) const {
-    const auto cycles = [&](double time) { return trajectory_.cycles(stretch, leg, time); };
-    const auto nearest = [&](double wanted, std::size_t from, std::size_t least, double Footfall::*moment) {
-        const auto apart = [&](std::size_t i) { return std::abs(falls[i].*moment - wanted); };
-        std::size_t at = std::clamp(from, least, falls.size() - 1);
-        while (at + 1 < falls.size() && apart(at + 1) < apart(at)) ++at;
-        while (at > least && apart(at - 1) < apart(at)) --at;
-        return at;
-    };
-    const double begin = trajectory_.way().times[trajectory_.first_sample(stretch)];
-    Timing timing;
-    std::vector<std::pair<double*, double>> set;
-    const auto is_here = [&](const std::optional<double>& moment) {
-        return moment && *moment >= begin && trajectory_.stretch_at(*moment) == stretch;
-    };
-    const auto keep = [&](double& moment, double planned, double wanted) {
-        if (timing.set(planned, cycles(wanted))) set.emplace_back(&moment, wanted);
-    };
-    std::vector<char> is_left_out(falls.size(), 0);
-    std::size_t free = 0;  // the footfalls before are taken by stands
-    std::vector<ChosenStand> kept;
-    for (ChosenStand stand : stands) {
-        const ChosenStep& step = settings_.chosen[stand.chosen];
-        const bool touches = is_here(step.touch) && stand.first > 0, lifts = is_here(step.until);
-        const std::size_t first = std::max(stand.first, free);
-        if (first == falls.size() || (!touches && stand.end <= first)) continue;
-        const double planned = falls[stand.first].planned;
-        stand.first = touches ? nearest(cycles(*step.touch), first, std::max<std::size_t>(free, 1),
-                                        &Footfall::touch_cycles)
-                              : first;
-        stand.end = std::max(stand.end, stand.first + 1);
-        if (lifts && stand.first + 1 < falls.size())
-            stand.end = nearest(cycles(*step.until), stand.end, stand.first + 1, &Footfall::lift_cycles);
-        for (std::size_t i = std::min(first, stand.first); i < stand.end; ++i)
-            if (i != stand.first) is_left_out[i] = 1;
-        Footfall& fall = falls[stand.first];
-        fall.planned = planned;
-        if (stand.first > first && !set.empty() && set.back().first == &falls[first].lift) {
-            // The swing begins at the moment that is set, however late it ends.
-            fall.lift_cycles = falls[first].lift_cycles;
-            set.back().first = &fall.lift;
-        }
-        if (touches) keep(fall.touch, fall.touch_cycles, *step.touch);
-        if (lifts && stand.end < falls.size())
-            keep(falls[stand.end].lift, falls[stand.end].lift_cycles, *step.until);
-        free = stand.end;
-        kept.push_back(stand);
-    }
-    for (std::size_t i = 1; i < falls.size(); ++i) {
-        Footfall& fall = falls[i];
-        if (timing.shift(fall.lift_cycles) != 0.0)
-            fall.lift = std::max(trajectory_.time_after(stretch, leg, timing.moved(fall.lift_cycles)), begin);
-        if (timing.shift(fall.touch_cycles) != 0.0)
-            fall.touch = trajectory_.time_after(stretch, leg, timing.moved(fall.touch_cycles));
-    }
-    for (const auto& [moment, wanted] : set) *moment = wanted;
-
-    Footfalls rest;
-    auto stand = kept.begin();
-    for (std::size_t i = 0; i < falls.size(); ++i) {
-        if (is_left_out[i] != 0) continue;
-        const bool is_chosen = stand != kept.end() && stand->first == i;
-        const bool is_whole = !is_chosen || has_times(settings_.chosen[stand->chosen]);
-        std::size_t next = i + 1;
-        while (next < falls.size() && is_left_out[next] != 0) ++next;
-        Footfall& fall = falls[i];
-        fall.until = next < falls.size() ? falls[next].lift : std::numeric_limits<double>::infinity();
-        const bool goes_on = is_whole && next < falls.size();
-        const double end = goes_on ? falls[next].lift_cycles : fall.touch_cycles + fall.pace.duty;
-        const bool stays =
-            !(goes_on && next > i + 1) && timing.shift(fall.touch_cycles) == 0.0 && timing.shift(end) == 0.0;
-        if (!stays) {
-            const double middle = 0.5 * (timing.moved(fall.touch_cycles) + timing.moved(end));
-            stand_at(leg, stretch, trajectory_.time_after(stretch, leg, middle), fall);
-        }
-        if (is_chosen) {
-            stand->first = rest.size();
-            stand->end = rest.size() + 1;
-            ++stand;
-        }
-        rest.push_back(fall);
-    }
-    falls = std::move(rest);
-    stands = std::move(kept);
 }
 
 glm::dquat Planner::turn_of(const Footfall& fall) const {
@@ -465,10 +313,11 @@ void Planner::add_missed(std::size_t leg, std::size_t stretch, const glm::dvec3&
     const std::vector<double>& times = trajectory_.way().times;
     const double longest = longest_reach(leg);
     bool was_missed = false;
-    for (std::size_t sample = trajectory_.first_sample(stretch); sample <= trajectory_.last_sample(stretch);
-         ++sample) {
-        if (times[sample] < from) continue;
-        if (times[sample] > until) break;
+    const auto begin = times.begin() + static_cast<std::ptrdiff_t>(trajectory_.first_sample(stretch));
+    const auto end = times.begin() + static_cast<std::ptrdiff_t>(trajectory_.last_sample(stretch)) + 1;
+    const auto first = std::lower_bound(begin, end, from), last = std::upper_bound(first, end, until);
+    for (auto at = first; at != last; ++at) {
+        const auto sample = static_cast<std::size_t>(at - times.begin());
         const bool is_missed = length_of(place - hip_at(leg, sample)) > longest;
         if (is_missed && was_missed)
             found.back().last = times[sample];
@@ -496,22 +345,16 @@ std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
             add_missed(leg, stretch, steps[i].end, first, last, found);
         }
     }
-    add_mistimed(leg, stretch, steps, found);
+    add_mistimed(row(leg, stretch), steps, found);
     std::ranges::stable_sort(found, {}, &Problem::first);
     return found;
 }
 
-void Planner::add_mistimed(std::size_t leg, std::size_t stretch, std::span<const Footstep> steps,
-                           std::vector<Problem>& found) const {
-    for (const std::size_t one : timed_[row(leg, stretch)]) {
-        const ChosenStep& wanted = settings_.chosen[one];
-        const auto step = std::ranges::find(steps, std::optional(one), &Footstep::chosen);
-        const bool is_there = step != steps.end();
-        const bool touches = is_there && step->lift < step->touch && step->touch == wanted.touch;
-        const bool lifts = is_there && step + 1 != steps.end() && (step + 1)->lift == wanted.until;
-        if (wanted.touch && !touches) found.push_back({leg, *wanted.touch, *wanted.touch, Trouble::no_touch});
-        if (wanted.until && !lifts) found.push_back({leg, *wanted.until, *wanted.until, Trouble::no_lift});
-    }
+void Planner::place(std::size_t leg, std::size_t stretch) {
+    Footfalls& falls = falls_[row(leg, stretch)];
+    falls = footfalls(leg, stretch);
+    timed_[row(leg, stretch)] = choose(leg, stretch, falls);
+    falls.resize(happening(stretch, falls));
 }
 
 WalkPlan Planner::plan() {
@@ -521,8 +364,8 @@ WalkPlan Planner::plan() {
     timed_.resize(rows);
     for_legs([&](std::size_t leg) {
         for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
-            falls_[row(leg, stretch)] = footfalls(leg, stretch);
-            timed_[row(leg, stretch)] = choose(leg, stretch, falls_[row(leg, stretch)]);
+            do place(leg, stretch);
+            while (refuse_missed(row(leg, stretch)));
         }
     });
     dynamics::Track leans = leans_of(all_steps(false));
@@ -532,8 +375,15 @@ WalkPlan Planner::plan() {
         // again.
         std::vector<char> has_moved(hips_.size(), 0);
         for_legs([&](std::size_t leg) {
-            for (std::size_t stretch = 0; has_reach(leg) && stretch < stretches; ++stretch)
-                if (move_nearer(leg, stretch, falls_[row(leg, stretch)])) has_moved[leg] = 1;
+            for (std::size_t stretch = 0; has_reach(leg) && stretch < stretches; ++stretch) {
+                bool moves = move_nearer(leg, stretch, falls_[row(leg, stretch)]);
+                if (moves) has_moved[leg] = 1;
+                // A step to a place that is moved may have become none.
+                while (moves && refuse_missed(row(leg, stretch))) {
+                    place(leg, stretch);
+                    moves = move_nearer(leg, stretch, falls_[row(leg, stretch)]);
+                }
+            }
         });
         if (std::ranges::count(has_moved, 1) > 0) {
             leans = leans_of(all_steps(false));

@@ -10,6 +10,7 @@
 #include "motus/core/executor.hpp"
 #include "motus/walker/walker.hpp"
 #include "sole.hpp"
+#include "timing.hpp"
 
 namespace motus::walker {
 
@@ -54,6 +55,23 @@ class Planner {
         std::size_t chosen = 0;  ///< index in WalkSettings::chosen
         std::size_t first = 0, end = 0;
     };
+    /// The moments of a timed step, s, without those that are refused.
+    struct Moments {
+        std::optional<double> touch, until;
+    };
+    /// A moment of a footfall that is set.
+    struct SetMoment {
+        std::size_t fall = 0;                ///< index of the footfall
+        double Footfall::*moment = nullptr;  ///< lift or touch
+        double planned = 0.0;                ///< cycles
+        double time = 0.0;                   ///< s
+    };
+    /// What footfalls timed stands take.
+    struct Room {
+        std::vector<ChosenStand> stands;
+        std::vector<SetMoment> moments;  ///< by time
+        std::vector<char> is_left_out;   ///< of the footfalls, those that are passed over
+    };
 
     /// Calls work(leg) for all legs, on several threads if that pays.
     template <class Work>
@@ -67,21 +85,38 @@ class Planner {
     void stand_at(std::size_t leg, std::size_t stretch, double middle, Footfall& fall) const;
     /// Steps between nearer places are left out, m.
     [[nodiscard]] double least_step(const Footfall& fall) const;
+    /// Makes the footfalls of a leg on a stretch, with the moments of timed steps that are left in moments_.
+    void place(std::size_t leg, std::size_t stretch);
+    /// Gives each row its chosen steps, and their moments in its stretch.
+    void sort_chosen();
+    /// Whether a chosen step, or one of a row, has a moment that is not refused.
+    [[nodiscard]] bool has_moments(std::size_t chosen) const {
+        return moments_[chosen].touch.has_value() || moments_[chosen].until.has_value();
+    }
+    [[nodiscard]] bool is_timed(std::size_t of_row) const;
+    /// How many footfalls of a stretch lift before the body jumps to the next one, one at least.
+    [[nodiscard]] std::size_t happening(std::size_t stretch, const Footfalls& falls) const;
     /// The stands of a leg that are chosen, by time.
     [[nodiscard]] std::vector<ChosenStand> chosen_stands(std::size_t leg, std::size_t stretch,
                                                          const Footfalls& falls) const;
-    [[nodiscard]] bool is_timed(std::size_t leg, std::size_t stretch) const;
     /// Puts footfalls where, and when, they are chosen to be. Returns the indices of timed stands in
     /// WalkSettings::chosen.
     std::vector<std::size_t> choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
-    /// Gives timed stands the footfalls that are nearest to their moments, leaves out footfalls that are
-    /// passed over, and has those around make room. The stands are then of one footfall each, without those
-    /// that have none left.
-    void make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
-                   std::vector<ChosenStand>& stands) const;
+    /// Gives timed stands the footfalls that are nearest to their moments. The stands are then of one
+    /// footfall each, without those that have none left.
+    [[nodiscard]] Room room_for(std::size_t leg, std::size_t stretch, Footfalls& falls,
+                                const std::vector<ChosenStand>& stands) const;
+    /// Sets the moments, and has the footfalls around make room. Returns by how much moments were moved.
+    [[nodiscard]] Timing set_moments(std::size_t leg, std::size_t stretch, Footfalls& falls,
+                                     const Room& room) const;
+    /// Leaves out footfalls that are passed over, and has stands whose times have changed find their places.
+    void close_up(std::size_t leg, std::size_t stretch, Footfalls& falls, Room& room,
+                  const Timing& timing) const;
+    /// Refuses moments at which the footfalls of a row do not touch down or lift. Returns whether there were
+    /// any: the row is then to be made without them.
+    [[nodiscard]] bool refuse_missed(std::size_t of_row);
     /// Adds a problem for each moment at which a timed step does not touch down or lift.
-    void add_mistimed(std::size_t leg, std::size_t stretch, std::span<const Footstep> steps,
-                      std::vector<Problem>& found) const;
+    void add_mistimed(std::size_t of_row, std::span<const Footstep> steps, std::vector<Problem>& found) const;
     /// Turn of the flat sole, from the body's space to the world.
     [[nodiscard]] glm::dquat turn_of(const Footfall& fall) const;
     /// Where a foot is that stands on the ground that is found, its ankle above the sole.
@@ -117,10 +152,12 @@ class Planner {
     Reach reach_;
     SoleFrame soles_;
     Executor executor_;
-    std::vector<glm::dvec3> hips_;                 ///< the settings', or the middle of all feet for each leg
-    std::vector<Footfalls> falls_;                 ///< by row()
-    std::vector<std::vector<std::size_t>> timed_;  ///< by row(): indices in WalkSettings::chosen
-    std::vector<Correction> corrections_{};        ///< at samples
+    std::vector<glm::dvec3> hips_;                  ///< the settings', or the middle of all feet for each leg
+    std::vector<Footfalls> falls_;                  ///< by row()
+    std::vector<std::vector<std::size_t>> chosen_;  ///< by row(): indices in WalkSettings::chosen, rising
+    std::vector<Moments> moments_;                  ///< of each of WalkSettings::chosen
+    std::vector<std::vector<std::size_t>> timed_;   ///< by row(): indices in WalkSettings::chosen of stands
+    std::vector<Correction> corrections_{};         ///< at samples
 };
 
 }  // namespace motus::walker

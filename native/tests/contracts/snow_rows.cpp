@@ -334,7 +334,7 @@ void add_marks(Table& table, const SnowLayer& layer) {
         [&layer](const auto& at, const auto& heights, const S& given) {
             const Marks made(layer, movers, at, heights, given, 1);
             std::vector<float> pressed(made.vertex_count());
-            made.press(1.0, pressed, {}, pressed);
+            made.press(1.0, std::vector<float>(made.vertex_count(), 0.2F), {}, pressed);
             return pressed;
         },
         arg("times", times, rising()),
@@ -343,8 +343,7 @@ void add_marks(Table& table, const SnowLayer& layer) {
         of(S{}, member("packed", &S::packed, at_least(0.0)), member("step", &S::step, above(0.0))))
         .costs("O(looks log triangles)")
         .allocates(Memory::scratch)
-        .adds("`movers` as those of `SnowSettings`")
-        .infinite();
+        .adds("`movers` as those of `SnowSettings`; 10,000,000 looks at most");
     static const Marks marks(layer, movers, times, std::vector<float>(10, 0.2F), {}, 1);
     add(
         table, "snow::Marks::press(time, depths, shares, pressed)",
@@ -352,7 +351,7 @@ void add_marks(Table& table, const SnowLayer& layer) {
             marks.press(time, given, shares, pressed);
         },
         arg("time", 1.0, finite()), arg("depths", depths, finite().open(), as_many_as("the vertices")),
-        arg("shares", std::vector<float>(5, 0.5F), finite().open(), as_many_or_none("the vertices")),
+        arg("shares", std::vector<float>(5, 0.5F), from(0.0, 1.0), as_many_or_none("the vertices")),
         out<float>("pressed", 5, "the vertices"))
         .costs("O(marked vertices)");
     table.moved.push_back({"snow::Marks", "of no vertices", [] {

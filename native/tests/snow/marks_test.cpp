@@ -40,16 +40,27 @@ struct Meadow {
     return found;
 }
 
-/// A closed box around the origin.
-[[nodiscard]] std::shared_ptr<const Collider> box(const glm::vec3& half) {
+/// A closed box.
+struct Box {
+    glm::vec3 half{1.0F};
+    glm::vec3 middle{0.0F};
+};
+[[nodiscard]] std::shared_ptr<const Collider> boxes(const std::vector<Box>& all) {
+    const Triangles faces{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                          {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     Points positions;
-    for (unsigned corner = 0; corner < 8; ++corner)
-        positions.push_back(half * glm::vec3((corner & 1U) != 0 ? 1.0F : -1.0F,
-                                             (corner & 2U) != 0 ? 1.0F : -1.0F,
-                                             (corner & 4U) != 0 ? 1.0F : -1.0F));
-    const Triangles triangles{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                              {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    Triangles triangles;
+    for (const Box& one : all) {
+        for (const glm::ivec3& face : faces) triangles.push_back(face + static_cast<int>(positions.size()));
+        for (unsigned corner = 0; corner < 8; ++corner)
+            positions.push_back(one.middle + one.half * glm::vec3((corner & 1U) != 0 ? 1.0F : -1.0F,
+                                                                  (corner & 2U) != 0 ? 1.0F : -1.0F,
+                                                                  (corner & 4U) != 0 ? 1.0F : -1.0F));
+    }
     return std::make_shared<const Collider>(positions, triangles);
+}
+[[nodiscard]] std::shared_ptr<const Collider> box(const glm::vec3& half) {
+    return boxes({{half}});
 }
 
 [[nodiscard]] std::shared_ptr<const Collider> ball(float radius) {
@@ -221,6 +232,62 @@ TEST_CASE("snow is pressed by what is above it, and by what it is inside of", "[
     CHECK(most(at_rest(crate, glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)))) == 0.0F);
 }
 
+TEST_CASE("shells that overlap press as each of them does", "[snow]") {
+    const auto at_rest = [&](const std::vector<Box>& all) {
+        const std::vector<double> times{0.0, 1.0};
+        const Mover mover{boxes(all), {0.0}, {shifted({})}};
+        return pressed(Marks(layer(), {mover}, times, growing(times, 0.0, 0.3), {}), 0.5, 0.3F);
+    };
+    // A leg through the ground, a wider shoe that begins within it, a root of the leg whose top is within it,
+    // and a cuff within the shoe.
+    const std::vector<Box> shells{{{0.22F, 0.22F, 0.41F}, {0.0F, 0.0F, 0.19F}},
+                                  {{0.33F, 0.33F, 0.3F}, {0.01F, 0.0F, 0.45F}},
+                                  {{0.27F, 0.16F, 0.3F}, {0.0F, 0.02F, -0.37F}},
+                                  {{0.115F, 0.28F, 0.2F}, {0.02F, 0.01F, 0.43F}}};
+    for (unsigned chosen = 1; chosen < 16; ++chosen) {
+        std::vector<Box> all;
+        std::vector<float> wanted(count);
+        for (std::size_t one = 0; one < shells.size(); ++one) {
+            if ((chosen >> one & 1U) == 0) continue;
+            all.push_back(shells[one]);
+            const std::vector<float> alone = at_rest({shells[one]});
+            for (std::size_t i = 0; i < count; ++i) wanted[i] = std::max(wanted[i], alone[i]);
+        }
+        const std::vector<float> found = at_rest(all);
+        for (std::size_t i = 0; i < count; ++i) REQUIRE(found[i] == Approx(wanted[i]).margin(1e-6));
+    }
+}
+
+TEST_CASE("a mover leaves its marks whenever others have their samples", "[snow]") {
+    Mover roller{ball(0.4F), {}, {}}, far{box({0.1F, 0.1F, 0.1F}), {}, {}};
+    for (int i = 0; i <= 16; ++i) {
+        const double time = 0.25 * i;
+        roller.times.push_back(time);
+        roller.matrices.push_back(shifted({time - 2.0, 0.5 * std::sin(2.0 * time), 0.42}));
+        far.times.push_back(time + 0.1);
+        far.matrices.push_back(shifted({50.0 + 3.0 * time, 0.0, 0.0}));
+    }
+    const std::vector<double> times{0.0, 4.0};
+    const Marks alone(layer(), {roller}, times, growing(times, 0.02, 0.05), {});
+    const Marks both(layer(), {far, roller}, times, growing(times, 0.02, 0.05), {});
+    CHECK(alone.marked_count() > 200);
+    for (const double time : {0.6, 2.3, 4.0})
+        CHECK(pressed(both, time, fallen(time, 0.02, 0.05)) ==
+              pressed(alone, time, fallen(time, 0.02, 0.05)));
+}
+
+TEST_CASE("movers that would be looked at without end are refused", "[snow]") {
+    Mover shaking{box({0.1F, 0.1F, 0.1F}), {}, {}};
+    const int samples = 160'000;
+    for (int i = 0; i < samples; ++i) {
+        shaking.times.push_back(static_cast<double>(i) / samples);
+        shaking.matrices.push_back(shifted({i % 2 == 0 ? 0.5 : -0.5, 0.0, 0.1}));
+    }
+    const std::vector<double> times{0.0, 1.0};
+    CHECK_THROWS_WITH(Marks(layer(), {shaking}, times, growing(times, 0.0, 0.1), {.step = 1e-3}),
+                      Catch::StartsWith("movers: must be fewer"));
+}
+
 TEST_CASE("what is fast leaves no gaps", "[snow]") {
     const Mover arrow{
         box({0.1F, 0.1F, 0.1F}), {1.0, 1.05}, {shifted({-1.9, 0.3, 0.1}), shifted({1.9, -0.2, 0.1})}};
@@ -275,4 +342,8 @@ TEST_CASE("bad marks are refused with a sentence", "[snow]") {
     CHECK_THROWS_WITH(marks.press(0.0, {}, {}, found), Catch::StartsWith("depths"));
     CHECK_THROWS_WITH(marks.press(0.0, found, std::vector<float>(3), found), Catch::StartsWith("shares"));
     CHECK_THROWS_WITH(marks.press(0.0, found, {}, std::span(found).first(3)), Catch::StartsWith("pressed"));
+    for (const double share : {-1e-6, 1.0 + 1e-6, nan})
+        CHECK_THROWS_WITH(
+            marks.press(0.0, found, std::vector<float>(count, static_cast<float>(share)), found),
+            Catch::StartsWith("shares: must be from 0 to 1"));
 }

@@ -96,6 +96,34 @@ TEST_CASE("each step is chosen by the middle of its stand", "[chosen]") {
     }
 }
 
+TEST_CASE("next to a jump each step is chosen by its planned time, and lifts before the jump", "[chosen]") {
+    const Ground level = plane();
+    for (const auto& pose : {turning, there, around}) {
+        for (const std::size_t reset :
+             {std::size_t(30), std::size_t(61), std::size_t(96), std::size_t(107)}) {
+            Way way = way_along(6.0, pose);
+            way.resets = {reset, reset + 25};
+            const Walker planned(way, {}, &level);
+            for (std::size_t of_leg = 0; of_leg < 8; ++of_leg) {
+                const auto steps = planned.steps(of_leg);
+                for (std::size_t row = 0; row < steps.size(); ++row) {
+                    WalkSettings settings;
+                    settings.chosen = {{of_leg, steps[row].planned, {}, 0.1, std::nullopt}};
+                    const Walker walker(way, settings, &level);
+                    REQUIRE(walker.steps(of_leg).size() == steps.size());
+                    for (std::size_t i = 0; i < steps.size(); ++i)
+                        REQUIRE(walker.steps(of_leg)[i].chosen.has_value() == (i == row));
+                    // Each stretch begins with a step that is put.
+                    if (row == 0 || steps[row].lift == steps[row].touch) continue;
+                    const auto jump = std::ranges::upper_bound(way.resets, steps[row].planned, {},
+                                                               [&](std::size_t at) { return way.times[at]; });
+                    if (jump != way.resets.end()) CHECK(steps[row].lift < way.times[*jump]);
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("a fixed step stands where it is told, whatever body and ground do", "[chosen]") {
     const double lift = walking({}).steps(leg)[4].lift;
     // On a stool on which there is no ground.

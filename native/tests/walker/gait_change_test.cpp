@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "random.hpp"
@@ -198,6 +199,27 @@ TEST_CASE("a body with a height goes by natural strides", "[gait change]") {
     // A body that rests has the slowest cadence.
     way.poses.assign(way.poses.size(), glm::dmat4(1.0));
     CHECK(BodyTrajectory(way).phase(0, 5.0) == Approx(0.5));
+}
+
+TEST_CASE("with a natural stride it is the height of the hips that says what a jump is", "[trajectory]") {
+    for (const double stride : {0.5, 0.05}) {
+        for (const double hip_height : {1.0, 0.01}) {
+            // 6 strides of the smallest a second, as a runner of its size.
+            const auto runs = [&](double time) { return moved({0.0, 6.0 * hip_height * time, 0.0}); };
+            Way way = way_along(4.0, runs);
+            way.stride = stride;
+            way.hip_height = hip_height;
+            CHECK(BodyTrajectory(way).stretch_count() == 1);
+            const double most = 4.0 * way.duty * 2.3 * hip_height;
+            for (const auto& [by, stretches] : {std::pair(0.9, 1), std::pair(1.1, 2)}) {
+                Way jumps = way;
+                for (std::size_t i = 50; i < jumps.poses.size(); ++i) jumps.poses[i][3].x += by * most;
+                CHECK(BodyTrajectory(jumps).stretch_count() == static_cast<std::size_t>(stretches));
+                jumps.jump = 100.0;
+                CHECK(BodyTrajectory(jumps).stretch_count() == 1);
+            }
+        }
+    }
 }
 
 TEST_CASE("a stretch after a jump begins in its gait", "[gait change]") {

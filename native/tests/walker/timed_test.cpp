@@ -187,24 +187,36 @@ TEST_CASE("moments that cannot be are told, and left out", "[timed]") {
     const Walker planned = walking(std::vector<ChosenStep>{});
     const auto before = planned.steps(leg);
     const Footstep step = before[row], next = before[row + 1];
-    const auto troubles = [&](const std::vector<ChosenStep>& chosen) {
+    // `kept`: the same steps with the moments that are possible, on which those that are not have no effect.
+    const auto troubles = [&](const std::vector<ChosenStep>& chosen,
+                              const std::vector<ChosenStep>& kept = {}) {
         const Walker walker = walking(chosen);
         check_walks(walker);
+        for (std::size_t other = 0; other < 8; ++other)
+            CHECK(std::ranges::equal(walker.steps(other), walking(kept).steps(other), is_same));
         std::vector<Trouble> found;
         for (const Problem& problem : walker.problems()) found.push_back(problem.trouble);
         return found;
     };
     using Troubles = std::vector<Trouble>;
     CHECK(troubles({timed(step, -3.0, std::nullopt)}) == Troubles{Trouble::no_touch});
-    CHECK(std::ranges::equal(walking({timed(step, -3.0, std::nullopt)}).steps(leg), before, is_same));
-    CHECK(troubles({timed(step, step.touch, step.touch - 0.1)}) == Troubles{Trouble::no_lift});
+    CHECK(troubles({timed(step, step.touch, step.touch - 0.1)}, {timed(step, step.touch, std::nullopt)}) ==
+          Troubles{Trouble::no_lift});
     CHECK(troubles({timed(before[0], 0.5, std::nullopt)}) == Troubles{Trouble::no_touch});
-    CHECK(troubles({timed(before.back(), std::nullopt, 20.0)}) == Troubles{Trouble::no_lift});
+    for (const double rested : {8.5, 10.0, 20.0, 1e300})
+        CHECK(troubles({timed(before.back(), std::nullopt, rested)}) == Troubles{Trouble::no_lift});
+    // What comes of no step does not keep others from their moments.
+    const ChosenStep later = timed(step, step.touch + 0.1, next.lift + 0.1);
+    CHECK(troubles({later, timed(before.back(), std::nullopt, 20.0)},
+                   {later, timed(before.back(), std::nullopt, std::nullopt)}) == Troubles{Trouble::no_lift});
     // Each foot stands until after the next one is to touch down.
-    CHECK(troubles({timed(step, std::nullopt, next.touch), timed(next, step.touch, std::nullopt)}) ==
+    CHECK(troubles({timed(step, std::nullopt, next.touch), timed(next, step.touch, std::nullopt)},
+                   {timed(step, std::nullopt, next.touch), timed(next, std::nullopt, std::nullopt)}) ==
           Troubles{Trouble::no_touch});
     // Of several for one stand the last one counts.
-    CHECK(troubles({timed(step, -3.0, std::nullopt), timed(step, step.touch, std::nullopt)}).empty());
+    CHECK(troubles({timed(step, -3.0, std::nullopt), timed(step, step.touch, std::nullopt)},
+                   {timed(step, step.touch, std::nullopt)})
+              .empty());
 }
 
 TEST_CASE("a body that rests has its feet on their rest places in the end", "[timed]") {

@@ -35,7 +35,8 @@ class Marks {
     /// snow would lie on each vertex without movers; between times they go evenly. Movers are held before
     /// their first time and after their last. What is inside a mover has a clearance of 0, for which its
     /// triangles' normals have to point outwards. Throws std::invalid_argument, naming movers, times,
-    /// heights, packed or step, where they are none of that.
+    /// heights, packed or step, where they are none of that, and movers where they would be looked at more
+    /// than 10,000,000 times.
     Marks(const SnowLayer& layer, const std::vector<Mover>& movers, std::span<const double> times,
           std::span<const float> heights, const MarksSettings& settings, const Executor& executor = {});
 
@@ -47,7 +48,7 @@ class Marks {
     /// Raises `pressed`, m, one for each vertex, to what movers have pressed away until `time`. `depths`: the
     /// heights at that time. `shares`: of the heights that lie there, [0, 1], for all times; empty where that
     /// is all: what is pressed away is as much of the whole height. Throws std::invalid_argument where the
-    /// time, a depth or a share is not finite, or there is not one for each vertex.
+    /// time or a depth is not finite, a share is not from 0 to 1, or there is not one for each vertex.
     void press(double time, std::span<const float> depths, std::span<const float> shares,
                std::span<float> pressed) const;
 

@@ -31,13 +31,15 @@ struct Way {
     std::vector<glm::dvec3> rest;   ///< where each foot stands when the body rests, in the body's space
     std::vector<double> phases;     ///< of a cycle, any; a leg swings while frac(cycle + phase) < 1 - duty
     double duty = 0.5;              ///< part of a cycle during which a foot stands, [least_duty, most_duty]
-    double stride = 0.5;            ///< m, most that the body moves while a foot stands, [1e-6, 1e6]
+    /// m, most that the body moves while a foot stands, [1e-6, 1e6]. From touch to touch it moves 1 / duty of
+    /// that, which is natural_stride().
+    double stride = 0.5;
     double cadence = 1.0;           ///< cycles a second when the body moves slowly or rests, [1e-3, 1e3]
     glm::dvec3 up{0.0, 0.0, 1.0};   ///< in the body's space, not 0
     /// Rising indices of samples to which the body jumps; until then it keeps its place.
     std::vector<std::size_t> resets;
     /// m, > 0: the body also jumps if a foot's rest place moves further from one sample to the next. None: 4
-    /// strides.
+    /// strides; with `hip_height` those of a body whose Froude number is 1, 9.2 hip heights times the duty.
     std::optional<double> jump;
     /// In the order of their samples. All legs may go over to a gait earlier or later alike, so that none
     /// goes over by more of a cycle than is needed.
