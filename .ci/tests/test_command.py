@@ -1,6 +1,7 @@
 """./motus does what its help says, from any folder and with files anywhere."""
 
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -140,6 +141,24 @@ class Command(unittest.TestCase):
                 self.assertIn(done.returncode, (1, 2), done.stdout)
                 self.assertRegex(done.stdout, rf"^motus: .*{arguments[-1]}.*\n$")
                 self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_words_that_a_command_cannot_do_without_are_named(self):
+        """Each command whose first look at its arguments is at one that may be missing."""
+        environment = dict(os.environ, MOTUS_BUILD=str(self.folder / "build"), MOTUS_DIST=str(self.folder / "dist"))
+        texts = [path.read_text(encoding="utf-8") for path in (Path(MOTUS), *(CLONE / ".ci").glob("*.sh"))]
+        bodies = dict(
+            pair for text in texts for pair in re.findall(r"^command_(\w+)\(\) \{([^\n]*\}$|.*?^\})", text, re.MULTILINE | re.DOTALL)
+        )
+        looks = {name: re.search(r"\$\{?[1-9](?!:-)|\$\{[1-9]:-|\(\(\$#\)\)", body) for name, body in bodies.items()}
+        wanting = {name for name, look in looks.items() if look and re.fullmatch(r"\$\{?[1-9]", look.group())}
+        self.assertLess({"build", "test_library", "has_blender", "test_inside", "validate", "farm_hand_over"}, wanting)
+        for name in sorted({*wanting, "python", "test_outside"}):
+            with self.subTest(name=name):
+                done = motus(name, env=environment)
+                self.assertEqual(done.returncode, 1, done.stdout)
+                self.assertRegex(done.stdout, rf"^motus: {name} wants [A-Z]+.* behind it\n$")
+        self.assertIn("SHOT RESULT FIRST LAST", motus("farm_hand_over", "", env=environment).stdout)
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_benchmark_that_breaks_is_told_and_the_others_run(self):
         blender = self.folder / "blender"

@@ -416,6 +416,22 @@ class SetUp(SetUpTestCase):
         ):
             self.refused(f"A screen is green or blue: this colour is {hue}", clip=footage(self.folder), color=color)
 
+    def test_a_screen_as_green_as_it_is_blue_takes_a_balance(self):
+        cyan = (0.05, 0.6, 0.6)
+        clip = footage(self.folder, color=cyan)
+        for color in ({}, {"color": cyan}):
+            self.refused("as green as it is blue, which takes a Balance above 0", clip=clip, **color)
+        key = self.set_up(clip=clip, color=cyan, balance=0.5)
+        noted = bpy.context.scene.motus.chroma
+        self.assertTrue(np.isfinite([noted.share, noted.luminance_spread, noted.chroma_spread, noted.spill]).all())
+        self.assertGreater(noted.share, 0.5)
+        key.inputs["Key Balance"].default_value = 0.0
+        with self.assertRaisesRegex(RuntimeError, "as green as it is blue"):
+            bpy.ops.motus.chroma_key_measure()
+        # A key by such a colour makes nothing transparent: the further key is for the same screen.
+        with self.assertRaisesRegex(RuntimeError, "as green as it is blue"):
+            bpy.ops.motus.chroma_key_add()
+
     def test_footage_of_one_pixel(self):
         key = self.set_up(clip=footage(self.folder, size=(1, 1)))
         np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], cases.GREEN, atol=0.01)

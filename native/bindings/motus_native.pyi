@@ -1722,10 +1722,12 @@ def screen_report(picture: numpy.typing.ArrayLike, color: numpy.typing.ArrayLike
     """
     How well a picture can be keyed by a colour.
     
-    picture: as for screen_color().  color: (3,), a green or a blue.  balance, gain: as for screen_matte().
+    picture: as for screen_color().  color: (3,), a green or a blue, not as green as it is blue at balance 0.  balance, gain: as for
+    screen_matte().
     Returns a dict of floats. share: fraction of the pixels that show the screen.  luminance_spread: from the 5th to the 95th percentile of
     the screen's luminance, over its median.  chroma_spread: 95th percentile of the distance from the screen's median
-    chromaticity, whose parts sum to 1.  spill: mean excess of the screen's channel on the subject, 1 for as much as on the screen.
+    chromaticity, whose parts sum to 1.  spill: mean excess of the screen's channel on the subject, 1 for as much as on the screen; 0 for a
+    screen that is as green as it is blue.
     black, white: levels of screen_matte() at which the screen is clear and the subject opaque; 0 <= black < white <= 1.
     """
 def second_order(times: numpy.typing.ArrayLike, inputs: numpy.typing.ArrayLike, frequency: float, damping: float, response: float) -> numpy.typing.NDArray[numpy.float64]:

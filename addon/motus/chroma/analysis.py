@@ -22,23 +22,26 @@ def measure(image, color=None, balance=0.0, gain=1.0):
     found = native.module.screen_color(picture) if color is None else color
     if found is None:
         raise Refused(tr("{object} shows no green or blue screen: pick the colour, if there is one").format(object=image.name))
-    check_color(found)
+    check_color(found, balance)
     return tuple(float(part) for part in found), native.module.screen_report(picture, found, balance, gain)
 
 
-def is_keyable(color):
-    """Whether a colour is green or blue enough to be a screen's colour."""
+def is_keyable(color, balance=0.0):
+    """Whether a colour is green or blue enough to be a screen's colour at a balance."""
     try:
-        native.module.screen_matte(_PIXEL, color)
+        native.module.screen_matte(_PIXEL, color, balance)
     except ValueError:
         return False
     return True
 
 
-def check_color(color):
-    """Raise Refused if a colour is not green or blue enough to be a screen's colour."""
-    if not is_keyable(color):
-        raise Refused(tr("A screen is green or blue: this colour is {hue}").format(hue=_hue(color)))
+def check_color(color, balance=0.0):
+    """Raise Refused if a colour is not green or blue enough to be a screen's colour at a balance."""
+    if is_keyable(color, balance):
+        return
+    if is_keyable(color, 1.0):
+        raise Refused(tr("A screen is green or blue: this colour is as green as it is blue, which takes a Balance above 0"))
+    raise Refused(tr("A screen is green or blue: this colour is {hue}").format(hue=_hue(color)))
 
 
 _PIXEL = (((0.0, 0.0, 0.0, 1.0),),)
@@ -59,6 +62,8 @@ def another_color(image, keys):
     """
     picture = footage.pixels(image)
     for color, black, balance, gain in keys:
+        if not is_keyable(color, balance):
+            continue  # a key by such a colour makes nothing transparent
         picture[..., 3][native.module.screen_matte(picture, color, balance, gain) <= black + _LEFT] = 0.0
     return native.module.screen_color(picture)
 

@@ -23,7 +23,7 @@ def draw_main(layout, context):
     column = ui.split(layout)
     _draw_input(column, key, settings.COLOR)
     color = setup.color_of(key)
-    if color and not analysis.is_keyable(color):
+    if color and not analysis.is_keyable(color, settings.value(key, "balance")):
         ui.draw_message(layout, tr("A screen is green or blue: nothing is keyed by this colour"), 'ERROR')
     _draw_settings(column, key, ("black", "white", "balance", "gain", "smooth"))
 

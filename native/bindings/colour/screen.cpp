@@ -53,20 +53,23 @@ struct Pixels {
     std::size_t width = 1;
 };
 
-[[nodiscard]] glm::dvec3 key_color(const ArrayLike& object) {
-    const glm::dvec3 color = vector(object, "color");
-    if (!colour::is_screen_color(color))
-        value_error(
-            "color",
-            "must be a green or a blue: a hue from 75 to 270 degrees, of at least a tenth saturation");
-    return color;
-}
-
 [[nodiscard]] colour::Difference difference_of(const Number& balance, const Number& gain) {
     const colour::Difference found{.balance = number(balance, "balance"), .gain = number(gain, "gain")};
     if (!(found.balance >= 0.0 && found.balance <= 1.0)) value_error("balance", "must be from 0 to 1");
     if (!(found.gain >= 0.0)) value_error("gain", "must not be below 0");
     return found;
+}
+
+[[nodiscard]] glm::dvec3 key_color(const ArrayLike& object, double balance) {
+    const glm::dvec3 color = vector(object, "color");
+    constexpr double any_balance = 1.0;
+    if (!colour::is_screen_color(color, any_balance))
+        value_error(
+            "color",
+            "must be a green or a blue: a hue from 75 to 270 degrees, of at least a tenth saturation");
+    if (!colour::is_screen_color(color, balance))
+        value_error("color", "must not be as green as it is blue, unless the balance is greater");
+    return color;
 }
 
 [[nodiscard]] Typed<"numpy.typing.NDArray[numpy.float64] | None"> color_of_screen(const ArrayLike& picture) {
@@ -83,8 +86,8 @@ struct Pixels {
 [[nodiscard]] Typed<"dict[str, float]"> report_on_screen(const ArrayLike& picture, const ArrayLike& color,
                                                          const Number& balance, const Number& gain) {
     const Pixels pixels(picture);
-    const glm::dvec3 screen = key_color(color);
     const colour::Difference difference = difference_of(balance, gain);
+    const glm::dvec3 screen = key_color(color, difference.balance);
     colour::ScreenQuality report;
     {
         const ReleaseGil released(pixels.rows.size(), pixel_cost);
@@ -98,8 +101,8 @@ struct Pixels {
 [[nodiscard]] DoubleArray matte_of(const ArrayLike& picture, const ArrayLike& color, const Number& balance,
                                    const Number& gain) {
     const Pixels pixels(picture);
-    const glm::dvec3 screen = key_color(color);
     const colour::Difference difference = difference_of(balance, gain);
+    const glm::dvec3 screen = key_color(color, difference.balance);
     DoubleArray result = new_array({pixels.rows.size() / pixels.width, pixels.width});
     const std::span<double> out = values_of(result);
     {
@@ -121,10 +124,12 @@ Returns (3,) float64, scene-linear. Raises ValueError if a value is not finite, 
     m.def("screen_report", &report_on_screen, "picture"_a, "color"_a, "balance"_a = 0.0, "gain"_a = 1.0, R"(
 How well a picture can be keyed by a colour.
 
-picture: as for screen_color().  color: (3,), a green or a blue.  balance, gain: as for screen_matte().
+picture: as for screen_color().  color: (3,), a green or a blue, not as green as it is blue at balance 0.  balance, gain: as for
+screen_matte().
 Returns a dict of floats. share: fraction of the pixels that show the screen.  luminance_spread: from the 5th to the 95th percentile of
 the screen's luminance, over its median.  chroma_spread: 95th percentile of the distance from the screen's median
-chromaticity, whose parts sum to 1.  spill: mean excess of the screen's channel on the subject, 1 for as much as on the screen.
+chromaticity, whose parts sum to 1.  spill: mean excess of the screen's channel on the subject, 1 for as much as on the screen; 0 for a
+screen that is as green as it is blue.
 black, white: levels of screen_matte() at which the screen is clear and the subject opaque; 0 <= black < white <= 1.)");
     m.def("screen_matte", &matte_of, "picture"_a, "color"_a, "balance"_a = 0.0, "gain"_a = 1.0, R"(
 Alpha of each pixel by its colour difference: 1 - gain m(pixel) / m(color), clamped to [0, 1]. m is the screen's channel less a mixture of

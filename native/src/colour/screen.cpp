@@ -253,8 +253,12 @@ void judge_evenness(ScreenNumbers& found, ScreenQuality& report) {
     return std::clamp(1.0 - difference.gain * share, 0.0, 1.0);
 }
 
+void check_balance(double balance) {
+    require(balance >= 0.0 && balance <= 1.0, "balance: must be from 0 to 1");
+}
+
 void check(const Difference& difference) {
-    require(difference.balance >= 0.0 && difference.balance <= 1.0, "balance: must be from 0 to 1");
+    check_balance(difference.balance);
     require(difference.gain >= 0.0 && std::isfinite(difference.gain), "gain: must be at least 0 and finite");
 }
 
@@ -296,36 +300,39 @@ std::optional<glm::dvec3> screen_color(const Picture& picture) {
     }
     if (found < least_share * whole) return std::nullopt;
     const glm::dvec3 color{median(channels[0]), median(channels[1]), median(channels[2])};
-    if (!is_screen_color(color)) return std::nullopt;
+    constexpr double any_balance = 1.0;  // by which each green or blue can be keyed
+    if (!is_screen_color(color, any_balance)) return std::nullopt;
     return color;
 }
 
-bool is_screen_color(const glm::dvec3& color) {
-    constexpr double palest = 0.1;
+bool is_screen_color(const glm::dvec3& color, double balance) {
+    constexpr double palest = 0.1, least_excess = 0.01;  // of the value
+    check_balance(balance);
     if (!is_finite(color)) return false;
     const Hsv hsv = hsv_of(color);
-    return hsv.saturation >= palest && is_green_or_blue(hsv);
+    return hsv.saturation >= palest && is_green_or_blue(hsv) &&
+           excess(color, channel_of(color), balance) >= least_excess * hsv.value;
 }
 
 double matte(const glm::dvec3& pixel, const glm::dvec3& screen, const Difference& difference) {
-    require(is_screen_color(screen), "screen: must be a green or a blue");
     check(difference);
+    require(is_screen_color(screen, difference.balance), "screen: must be a green or a blue at the balance");
     return matte_of(pixel, screen, difference);
 }
 
 void mattes(std::span<const glm::vec4> pixels, const glm::dvec3& screen, const Difference& difference,
             std::span<double> out) {
     require(out.size() == pixels.size(), "out: must have a number for each pixel");
-    require(is_screen_color(screen), "screen: must be a green or a blue");
     check(difference);
+    require(is_screen_color(screen, difference.balance), "screen: must be a green or a blue at the balance");
     for (std::size_t i = 0; i < pixels.size(); ++i)
         out[i] = matte_of(glm::dvec3(pixels[i]), screen, difference);
 }
 
 ScreenQuality judge_screen(const Picture& picture, const glm::dvec3& color, const Difference& difference) {
     check(picture);
-    require(is_screen_color(color), "color: must be a green or a blue");
     check(difference);
+    require(is_screen_color(color, difference.balance), "color: must be a green or a blue at the balance");
     const glm::length_t channel = channel_of(color);
     const Inside inside(picture, color);
     ScreenNumbers screen;
@@ -355,7 +362,8 @@ ScreenQuality judge_screen(const Picture& picture, const glm::dvec3& color, cons
         report.black = std::min(quantile(screen.mattes, 0.98), 0.9);
     }
     if (!subject.empty()) {
-        report.spill = spill / static_cast<double>(subject.size()) / excess(color, channel, 0.0);
+        if (is_screen_color(color))
+            report.spill = spill / static_cast<double>(subject.size()) / excess(color, channel, 0.0);
         report.white = quantile(subject, 0.02);
     }
     report.white = std::clamp(report.white, report.black + 0.1, 1.0);

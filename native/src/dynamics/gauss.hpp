@@ -32,8 +32,9 @@ struct GaussStep {
     double length = 0.0;
     Drive<System::axes> drive;
     bool converged = false;
-    double tail = 0.0;  ///< relative size of the last coefficient of the step's polynomials: the error is
-                        ///< some tenth of its square
+    double tail = 0.0;     ///< relative size of the last coefficient of the step's polynomials: the error is
+                           ///< some tenth of its square
+    std::size_t work = 1;  ///< how many steps of the usual work it has taken
 };
 
 /// How many steps are made at a time: one computes while the other waits for its results.

@@ -107,7 +107,8 @@ struct StepKernel {
 };
 [[nodiscard]] std::span<const StepKernel> step_kernels();
 
-/// Makes small steps of Runge and Kutta's method, each brought within the limits. They always converge.
+/// Makes steps in small ones of Runge and Kutta's method, each brought within the limits. They converge
+/// unless they would take too many small ones.
 void make_limited_steps(std::span<GaussStep<LimitedSystem>> steps);
 
 template <class System>

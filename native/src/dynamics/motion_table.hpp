@@ -166,7 +166,8 @@ class MotionTable {
         }
 
         void take(const GaussStep<System>& step) {
-            if (++table_.steps_ > most_steps) {
+            table_.steps_ += step.work;
+            if (table_.steps_ > most_steps) {
                 table_.end_ = End::is_long;
                 return;
             }
@@ -300,7 +301,7 @@ class MotionTable {
     mutable std::vector<State> states_;
     mutable std::vector<std::uint8_t> levels_;  ///< with 2 to the power of which steps the interval was made
     mutable int level_ = 0;                     ///< of the interval that comes next
-    mutable std::size_t steps_ = 0;             ///< that were made, also those in vain
+    mutable std::size_t steps_ = 0;             ///< the work of those that were made, also of those in vain
     mutable End end_ = End::none;
 };
 

@@ -19,6 +19,11 @@ constexpr int none = -1;
     return (low << 32U) | static_cast<std::uint64_t>(std::max(a, b));
 }
 
+/// The middle of an edge: its ends' sum alone may be beyond single precision.
+[[nodiscard]] glm::vec3 middle_of(const glm::vec3& a, const glm::vec3& b) {
+    return glm::vec3(0.5 * (glm::dvec3(a) + glm::dvec3(b)));
+}
+
 /// One round, in which each long edge is halved once.
 class Round {
   public:
@@ -37,7 +42,7 @@ class Round {
         first_ = static_cast<int>(mesh_.positions.size());
         for (const std::uint64_t edge : halved_) {
             const auto low = static_cast<std::uint32_t>(edge >> 32U), high = static_cast<std::uint32_t>(edge);
-            mesh_.positions.push_back(0.5F * (mesh_.positions[low] + mesh_.positions[high]));
+            mesh_.positions.push_back(middle_of(mesh_.positions[low], mesh_.positions[high]));
             mesh_.ends.emplace_back(static_cast<int>(low), static_cast<int>(high));
         }
         const std::vector<glm::ivec3> before = std::exchange(mesh_.triangles, {});
@@ -46,13 +51,20 @@ class Round {
     }
 
   private:
+    [[nodiscard]] const glm::vec3& position(int vertex) const {
+        return mesh_.positions[static_cast<std::size_t>(vertex)];
+    }
     [[nodiscard]] double length(int a, int b) const {
         // The length of an edge does not depend on which of its ends is named first.
         const auto [low, high] = std::minmax(a, b);
-        return length_of(glm::dvec3(mesh_.positions[static_cast<std::size_t>(high)]) -
-                         glm::dvec3(mesh_.positions[static_cast<std::size_t>(low)]));
+        return length_of(glm::dvec3(position(high)) - glm::dvec3(position(low)));
     }
-    [[nodiscard]] bool is_long(int a, int b) const { return length(a, b) > longest_; }
+    /// Of an edge whose middle is one of its ends, since no position lies between them, a half is as long.
+    [[nodiscard]] bool is_long(int a, int b) const {
+        if (!(length(a, b) > longest_)) return false;
+        const glm::vec3 middle = middle_of(position(a), position(b));
+        return middle != position(a) && middle != position(b);
+    }
 
     /// Vertex in the middle of an edge; `none` if it is not halved.
     [[nodiscard]] int middle(int a, int b) const {

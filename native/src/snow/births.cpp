@@ -102,6 +102,7 @@ void Births::set_keys(const RateKeys& keys) {
     // What is before the delay lets nothing be born.
     const auto add = [&](double start, double end, double from, double to) {
         Ramp ramp{start, from, std::isfinite(end) ? (to - from) / (end - start) : 0.0, end - start};
+        require(std::isfinite(ramp.slope), "rate_times: must lie farther apart for rates so different");
         if (!ramps_.empty()) {
             const Ramp& last = ramps_.back();
             ramp.before = last.before + last.length * (last.rate + 0.5 * last.slope * last.length);

@@ -68,7 +68,9 @@ Comfort comfort(const Screen& screen, double parallax, double angle) {
 
 double roundness(const Screen& screen, const Eyes& eyes, double depth) {
     check(screen);
-    // Depth: V e W P' / (e - P W)^2 with P' = t f / (s d^2). Width: W f / (s d) e / (e - P W).
+    // Depth: V e W P' / (e - P W)^2 with P' = t f / (s d^2). Width: W f / (s d) e / (e - P W). Of eyes that
+    // toe in, P' and the width are both larger by the same factor: their images stretch what is near the
+    // middle.
     const double left = screen.eye_separation - parallax(eyes, depth) * screen.width;
     if (left <= 0.0) return std::numeric_limits<double>::infinity();
     return screen.viewing_distance * eyes.interaxial / (depth * left);

@@ -191,6 +191,40 @@ TEST_CASE("spill is measured on the subject", "[colour]") {
     CHECK(report.white > 0.8);
 }
 
+TEST_CASE("a colour as green as it is blue is a screen's from the balance on at which it exceeds the others",
+          "[colour]") {
+    for (const glm::dvec3& cyan :
+         {glm::dvec3(0.0, 0.6, 0.6), glm::dvec3(0.3, 0.6, 0.6), glm::dvec3(0.0, 0.6, 0.599)}) {
+        const Footage footage(cyan, skin, 0.0, 0.01);
+        CHECK(screen_color(footage.picture()));  // it is a screen, whatever it can be keyed by
+        CHECK_FALSE(is_screen_color(cyan));
+        CHECK_THROWS_WITH(matte(skin, cyan), Catch::Matchers::StartsWith("screen: "));
+        std::vector<double> out(footage.pixels.size());
+        CHECK_THROWS_WITH(mattes(footage.pixels, cyan, {}, out), Catch::Matchers::StartsWith("screen: "));
+        CHECK_THROWS_WITH(judge_screen(footage.picture(), cyan), Catch::Matchers::StartsWith("color: "));
+        for (const double balance : {0.1, 0.5, 1.0}) {
+            CHECK(is_screen_color(cyan, balance));
+            CHECK(matte(cyan, cyan, {balance}) == 0.0);
+            CHECK(matte(glm::dvec3(0.4), cyan, {balance}) == Approx(1.0));
+            mattes(footage.pixels, cyan, {balance}, out);
+            for (const double one : out) CHECK(std::isfinite(one));
+            const ScreenQuality report = judge_screen(footage.picture(), cyan, {balance});
+            for (const double one : {report.share, report.luminance_spread, report.chroma_spread,
+                                     report.spill, report.black, report.white})
+                CHECK(std::isfinite(one));
+        }
+    }
+    // The palest greens and blues, and those next to yellow and magenta, exceed the others by enough.
+    for (const double saturation : {0.11, 0.5, 1.0})
+        for (const double other : {0.0, 0.2, 0.45}) {
+            const double least = 0.5 * (1.0 - saturation);
+            const double between = least + other * (0.5 - least);
+            CHECK(is_screen_color({between, 0.5, least}));
+            CHECK(is_screen_color({between, least, 0.5}));
+        }
+    CHECK_THROWS_WITH(is_screen_color(green, 1.5), Catch::Matchers::StartsWith("balance: "));
+}
+
 TEST_CASE("colours that cannot be a screen's are refused", "[colour]") {
     CHECK(is_screen_color(green));
     CHECK(is_screen_color(blue));

@@ -30,7 +30,7 @@ using colour::Difference;
               member("gain", &Difference::gain, at_least(0.0)));
 }
 [[nodiscard]] Domain key() {
-    return finite().open().in_words("finite, a green or a blue");
+    return finite().open().in_words("finite, a green or a blue at the balance");
 }
 
 }  // namespace
@@ -52,9 +52,10 @@ void add_colour(Table& table) {
         .costs("O(pixels)")
         .allocates(Memory::scratch);
     add(
-        table, "colour::is_screen_color(color)",
-        [](const glm::dvec3& color) { return colour::is_screen_color(color); },
-        arg("color", glm::dvec3(0.1, 0.7, 0.1), any_at_rest("any; false of what is not finite")))
+        table, "colour::is_screen_color(color, balance)",
+        [](const glm::dvec3& color, double balance) { return colour::is_screen_color(color, balance); },
+        arg("color", glm::dvec3(0.1, 0.7, 0.1), any_at_rest("any; false of what is not finite")),
+        arg("balance", 0.0, from(0.0, 1.0)))
         .costs("O(1)");
     add(
         table, "colour::matte(pixel, screen, difference)",

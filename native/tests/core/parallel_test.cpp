@@ -1,9 +1,11 @@
 #include "motus/core/parallel.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -31,6 +33,42 @@ TEST_CASE("parts cover every element once", "[parallel]") {
                 CHECK(once);
             }
         }
+    }
+}
+
+TEST_CASE("parts have the standard float mode on threads of a host that takes small numbers for 0",
+          "[parallel]") {
+    if (FloatMode::flushing == 0) return;  // the library does not know this processor's mode
+    const auto flushed = [](const std::function<void()>& work) {
+        const FloatMode::Bits was = FloatMode::read();
+        FloatMode::write(was | FloatMode::flushing);
+        work();
+        const bool is_kept = (FloatMode::read() & FloatMode::flushing) == FloatMode::flushing;
+        FloatMode::write(was);
+        return is_kept;
+    };
+    std::atomic<bool> is_kept = true;
+    const Executor pool(3, [&](std::size_t times, const std::function<void()>& work) {
+        std::vector<std::thread> threads;
+        for (std::size_t i = 0; i < times; ++i)
+            threads.emplace_back([&] {
+                if (!flushed(work)) is_kept = false;
+            });
+        for (std::thread& thread : threads) thread.join();
+    });
+    for (const std::size_t count : {std::size_t{1}, std::size_t{100}, std::size_t{100000}}) {
+        std::vector<float> halves(count, std::numeric_limits<float>::min());
+        const auto halve = [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) halves[i] *= 0.5F;
+        };
+        const bool all_kept = flushed([&] { in_parts(count, 1, halve, pool); });
+        CHECK(all_kept);
+        CHECK(is_kept);
+        CHECK(std::ranges::all_of(
+            halves, [](float half) { return half == 0.5F * std::numeric_limits<float>::min(); }));
+        CHECK_THROWS_AS(in_parts(
+                            count, 1, [](std::size_t, std::size_t) { throw std::runtime_error("no"); }, pool),
+                        std::runtime_error);
     }
 }
 

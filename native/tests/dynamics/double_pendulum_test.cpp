@@ -238,6 +238,86 @@ TEST_CASE("the limits of a double pendulum's velocity and acceleration hold, and
     CHECK(fastest == 2.0);
 }
 
+TEST_CASE("a double pendulum within wide limits moves as one without limits, whatever drives and damps it",
+          "[double_pendulum]") {
+    const auto limited = [](DoublePendulum pendulum) {
+        pendulum.most_acceleration = 1e12;
+        pendulum.most_velocity = 1e9;
+        return pendulum;
+    };
+    const DoublePendulumState start{1.5, 2.0, 0.0, 0.0};
+    const auto angles_apart = [](const DoublePendulumState& a, const DoublePendulumState& b) {
+        return std::max(std::abs(a.theta1 - b.theta1), std::abs(a.theta2 - b.theta2));
+    };
+    SECTION("damping, up to what takes all velocity within a thousandth of a step") {
+        for (const double damping : {1.0, 100.0, 500.0, 2000.0, 1e4}) {
+            DoublePendulum pendulum;
+            pendulum.damping = damping;
+            for (const double time : {0.5, 1.3})
+                CHECK(angles_apart(at(limited(pendulum), start, time), at(pendulum, start, time)) < 1e-7);
+        }
+    }
+    SECTION("masses and lengths") {
+        for (const double mass : {1e-3, 10.0, 1000.0})
+            for (const double length : {0.1, 1.0})
+                for (const double time : {0.5, 2.0}) {
+                    const DoublePendulum pendulum{1.0, mass, 1.0, length};
+                    CHECK(angles_apart(at(limited(pendulum), start, time), at(pendulum, start, time)) < 5e-6);
+                }
+    }
+    SECTION("pivots, up to a hundred times the earth's acceleration") {
+        for (const double size : {10.0, 100.0, 1000.0}) {
+            std::vector<double> samples;
+            for (int k = 0; k < 60; ++k) {
+                samples.push_back(size * std::sin(1.7 * k));
+                samples.push_back(size * std::cos(0.9 * k));
+            }
+            const PivotMotion pivot{1.0 / 24.0, samples};
+            DoublePendulum pendulum;
+            pendulum.damping = 0.5;
+            for (const double time : {0.31, 0.5}) {
+                DoublePendulumState found, wanted;
+                double_pendulum(limited(pendulum), {0.5, 0.2, 0.0, 0.0}, pivot, {&time, 1}, {&found, 1});
+                double_pendulum(pendulum, {0.5, 0.2, 0.0, 0.0}, pivot, {&time, 1}, {&wanted, 1});
+                CHECK(angles_apart(found, wanted) < 2e-6);
+            }
+        }
+    }
+}
+
+TEST_CASE("a double pendulum at its limits moves as small steps do", "[double_pendulum]") {
+    struct Limits {
+        double acceleration = 0.0, velocity = 0.0, damping = 0.0;
+    };
+    for (const Limits& limits :
+         {Limits{15.0, 2.0, 0.0}, Limits{1e6, 1.0, 0.3}, Limits{4.0, 1e6, 0.0}, Limits{16.0, 8.0, 0.5}}) {
+        DoublePendulum pendulum;
+        pendulum.damping = limits.damping;
+        pendulum.most_acceleration = limits.acceleration;
+        pendulum.most_velocity = limits.velocity;
+        // Euler's symmetric steps: what is right at the limits needs no order, but steps that are small.
+        constexpr int steps = 100'000;
+        constexpr double time = 1.5, h = time / steps;
+        DoublePendulumState s{2.0, 1.5, 0.0, 0.0};
+        const auto moved = [&](const DoublePendulumState& from, const DoublePendulumState& by) {
+            const auto [a1, a2] = accelerations(pendulum, by);
+            const double most = limits.acceleration, fastest = limits.velocity;
+            DoublePendulumState next = from;
+            next.theta1 += h * by.omega1;
+            next.theta2 += h * by.omega2;
+            next.omega1 = std::clamp(from.omega1 + h * std::clamp(a1, -most, most), -fastest, fastest);
+            next.omega2 = std::clamp(from.omega2 + h * std::clamp(a2, -most, most), -fastest, fastest);
+            return next;
+        };
+        for (int i = 0; i < steps; ++i) {
+            const DoublePendulumState end = moved(s, s);
+            s = moved(s, {0.5 * (s.theta1 + end.theta1), 0.5 * (s.theta2 + end.theta2),
+                          0.5 * (s.omega1 + end.omega1), 0.5 * (s.omega2 + end.omega2)});
+        }
+        CHECK(largest_difference(at(pendulum, {2.0, 1.5, 0.0, 0.0}, time), s) < 1e-4);
+    }
+}
+
 TEST_CASE("a double pendulum on a moved pivot solves its equations", "[double_pendulum]") {
     const double step = 1.0 / 25.0;
     std::vector<double> samples;

@@ -43,6 +43,31 @@ constexpr std::size_t most = 100'000;
 
 }  // namespace
 
+TEST_CASE("edges between whose ends there is no position stay as they are", "[mesh]") {
+    // Single precision counts in steps of 8 there: no edge becomes as short as asked for.
+    constexpr float far = 1e8F, step = 8.0F;
+    for (const float size : {1.0F, 2.0F, 13.0F}) {
+        const std::vector<glm::vec3> positions{
+            {far, far, 0.0F}, {far + size * step, far, 0.0F}, {far, far + size * step, 0.0F}};
+        const std::vector<glm::ivec3> triangles{{0, 1, 2}};
+        const Refined found = refine(positions, triangles, 1.0, 1000);
+        CHECK(longest_of(found) <= std::sqrt(2.0) * static_cast<double>(step));
+        // Within the rounding of a middle they lie in the triangle.
+        for (const glm::vec3& one : found.positions) {
+            CHECK(one.x >= far);
+            CHECK(one.y >= far);
+            CHECK(glm::dvec3(one).x + glm::dvec3(one).y <= 2.0 * far + (size + 1.0) * step);
+            CHECK(one.z == 0.0F);
+        }
+    }
+    // The middle of an edge whose ends' sum is beyond single precision.
+    constexpr float largest = std::numeric_limits<float>::max();
+    const Refined found =
+        refine(std::vector<glm::vec3>{{largest, 0.0F, 0.0F}, {largest, 1.0F, 0.0F}, {largest, 0.0F, 1.0F}},
+               std::vector<glm::ivec3>{{0, 1, 2}}, 0.9, most);
+    CHECK(longest_of(found) <= 0.9);
+}
+
 TEST_CASE("a refined mesh has short edges, the same surface and no gaps", "[mesh]") {
     test::Random random(3);
     for (int round = 0; round < 20; ++round) {

@@ -54,6 +54,8 @@ class ColourTest(unittest.TestCase):
             (lambda: native.screen_matte(picture(), GREEN, gain=-1.0), "gain"),
             (lambda: native.screen_report(picture(), GREEN, -0.5), "balance"),
             (lambda: native.screen_report(picture(), (0.7, 0.1, 0.8)), "color"),
+            (lambda: native.screen_report(picture(), (0.0, 0.6, 0.6)), "color"),
+            (lambda: native.screen_matte(picture(), (0.0, 0.6, 0.6)), "color"),
         ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}: "):
                 call()

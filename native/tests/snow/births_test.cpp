@@ -167,5 +167,11 @@ TEST_CASE("births refuse what they cannot count", "[snow]") {
     CHECK_THROWS_AS(Births(1.0, 0.0, 5.0, true, {{0.0, Births::most_ids}, {1.0, 1}}), std::invalid_argument);
     for (const RateKeys& bad : {RateKeys{{1.0, 1.0}, {2.0, 2.0}}, RateKeys{{infinite}, {2.0}}})
         CHECK_THROWS_WITH(Births(1.0, 0.0, 5.0, true, {}, bad), Catch::StartsWith("rate_times"));
+    // Beyond double precision a second: what is born in such a ramp cannot be counted.
+    for (const RateKeys& steep :
+         {RateKeys{{0.0, 1e-305, 2.0}, {0.0, 5e4, 5.0}}, RateKeys{{0.0, 0.5}, {1.7e308, 0.0}}})
+        CHECK_THROWS_WITH(Births(1.0, 0.0, 5.0, true, {}, steep), Catch::StartsWith("rate_times"));
+    CHECK(Births(1.0, 0.0, 2.0, false, {}, {{0.0, 1e-300, 2.0}, {0.0, 5e4, 5.0}}).pieces().back().last ==
+          50005);
     CHECK_THROWS_WITH(Births(1.0, 0.0, 5.0, true, {}, {{1.0}, {}}), Catch::StartsWith("rate_values"));
 }

@@ -40,20 +40,40 @@ TEST_CASE("the limits of comfort differ by their angle from the screen", "[stere
     }
 }
 
-TEST_CASE("roundness is the depth of a small ball by its width", "[stereo]") {
+TEST_CASE("roundness is the depth of a small ball by its width, however the eyes converge", "[stereo]") {
     Random random(2);
-    const Screen screen{12.0, 15.0, 0.065};
-    const Eyes eyes{0.02, 35.0, 36.0, 4.0};
-    CHECK(roundness(screen, eyes, 4.0) == Approx(15.0 * 0.02 / (0.065 * 4.0)));
-    for (int i = 0; i < 100; ++i) {
-        const double depth = random.between(3.0, 5.0), small = 1e-6;
-        const auto seen = [&](double at) { return seen_distance(screen, parallax(eyes, at)); };
-        const double deep = (seen(depth + small) - seen(depth - small)) / (2.0 * small);
-        const double magnified = screen.width * eyes.focal_length / eyes.sensor_width / depth;
-        const double wide = magnified * seen(depth) / screen.viewing_distance;
-        CHECK(roundness(screen, eyes, depth) == Approx(deep / wide).epsilon(1e-5));
+    const Screen cinema{12.0, 15.0, 0.065}, monitor{0.6, 0.9, 0.065};
+    CHECK(roundness(cinema, {0.02, 35.0, 36.0, 4.0}, 4.0) == Approx(15.0 * 0.02 / (0.065 * 4.0)));
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const ConvergenceMode mode :
+         {ConvergenceMode::off_axis, ConvergenceMode::parallel, ConvergenceMode::toe_in}) {
+        for (int i = 0; i < 100; ++i) {
+            const bool is_near = i % 2 == 1;  // eyes that turn by up to some ten degrees
+            const Screen& screen = is_near ? monitor : cinema;
+            const double nearest = is_near ? 1.5 : 3.0, farthest = is_near ? 2.5 : 5.0;
+            const Eyes eyes{is_near ? 0.5 : 0.02, 35.0, 36.0,
+                            i % 10 == 0 ? infinite
+                            : is_near   ? 2.0
+                                        : 4.0,
+                            mode};
+            const double depth = random.between(nearest, farthest), small = 1e-5;
+            const auto seen = [&](double at) { return seen_distance(screen, parallax(eyes, at)); };
+            if (std::isinf(seen(depth + small))) {
+                CHECK(std::isinf(roundness(screen, eyes, depth + small)));
+                continue;
+            }
+            const double deep = (seen(depth + small) - seen(depth - small)) / (2.0 * small);
+            // Where both eyes' images of the ball's right and left side are, in their middle.
+            const auto side = [&](double right) {
+                const Pair images = project(eyes, {right, 0.0, depth});
+                return 0.5 * (images.left.x + images.right.x);
+            };
+            const double magnified = screen.width * (side(small) - side(-small)) / (2.0 * small);
+            const double wide = magnified * seen(depth) / screen.viewing_distance;
+            CHECK(roundness(screen, eyes, depth) == Approx(deep / wide).epsilon(1e-5));
+        }
     }
-    CHECK(std::isinf(roundness(screen, {0.2, 35.0, 36.0, 4.0}, 1000.0)));
+    CHECK(std::isinf(roundness(cinema, {0.2, 35.0, 36.0, 4.0}, 1000.0)));
 }
 
 TEST_CASE("screen settings outside their domain are refused by their names", "[stereo]") {

@@ -1,6 +1,7 @@
 """Spanish: chroma keys."""
 
 INTERFACE = {
+    "A screen is green or blue: this colour is as green as it is blue, which takes a Balance above 0": "Una pantalla es verde o azul: este color es tan verde como azul, y con él hace falta un Equilibrio por encima de 0",
     "A screen is green or blue: nothing is keyed by this colour": "Una pantalla es verde o azul: con este color no se recorta nada",
     "A screen is green or blue: this colour is {hue}": "Una pantalla es verde o azul: este color es {hue}",
     "Average": "Media",

@@ -26,10 +26,6 @@ void check(const Picture& picture);
 /// pixels near the picture's border count most. None if there is none on at least a fiftieth of the picture.
 [[nodiscard]] std::optional<glm::dvec3> screen_color(const Picture& picture);
 
-/// Whether a picture can be keyed by a colour: a green or blue hue with a saturation of at least 0.1. Red,
-/// yellow, magenta, grey and white cannot be keyed by.
-[[nodiscard]] bool is_screen_color(const glm::dvec3& color);
-
 /// How the amount of the screen in a pixel is measured.
 struct Difference {
     double balance = 0.0;  ///< in [0, 1]: the screen's channel is compared with the larger of the others at
@@ -37,10 +33,17 @@ struct Difference {
     double gain = 1.0;     ///< >= 0, factor of the amount
 };
 
+/// Whether a picture can be keyed by a colour: a green or blue hue with a saturation of at least 0.1, of
+/// which the colour difference m(C) of matte() is at least a hundredth of the larger of green and blue. Red,
+/// yellow, magenta, grey and white cannot be keyed by, nor cyan at balance 0. Throws std::invalid_argument if
+/// the balance is outside its domain.
+[[nodiscard]] bool is_screen_color(const glm::dvec3& color, double balance = 0.0);
+
 /// Alpha of a pixel, in [0, 1], by the colour difference m(C), the screen's channel less a mixture of the
 /// others (Vlahos): clamp(1 - gain m(pixel) / m(screen)). 0 for the screen's colour and for pixels with more
 /// of its hue, 1 for pixels without its hue, however bright; NaN for NaN. Throws std::invalid_argument if
-/// is_screen_color() is false of the screen, or a number of the difference is outside its domain.
+/// is_screen_color() is false of the screen at the balance, or a number of the difference is outside its
+/// domain.
 [[nodiscard]] double matte(const glm::dvec3& pixel, const glm::dvec3& screen,
                            const Difference& difference = {});
 
@@ -53,16 +56,16 @@ struct ScreenQuality {
     double share = 0.0;             ///< fraction of the picture's pixels that show the screen
     double luminance_spread = 0.0;  ///< 5th to 95th percentile of the screen's luminance, over its median
     double chroma_spread =
-        0.0;  ///< 95th percentile of the distance from the median chromaticity (r, g, b sum to 1)
-    double spill =
-        0.0;  ///< mean excess of the screen's channel on the subject, 1 for as much as the screen has
+        0.0;             ///< 95th percentile of the distance from the median chromaticity (r, g, b sum to 1)
+    double spill = 0.0;  ///< mean excess of the screen's channel on the subject, 1 for as much as the screen
+                         ///< has; 0 if is_screen_color() is false of the screen at balance 0
     double black = 0.0;  ///< level of the matte that clears the screen, in [0, 0.9]
     double white = 1.0;  ///< level of the matte at which the subject is opaque, in [black + 0.1, 1]
 };
 
-/// color: is_screen_color() is true of it. difference: of the matte for which the levels are. Pixels of
-/// screen and subject count if those of the other are a twelfth of the picture's greater side away, or a
-/// twenty-fifth if few pixels are: nearer ones may be a soft edge. If the picture has no screen or no
+/// color: is_screen_color() is true of it at the balance. difference: of the matte for which the levels are.
+/// Pixels of screen and subject count if those of the other are a twelfth of the picture's greater side away,
+/// or a twenty-fifth if few pixels are: nearer ones may be a soft edge. If the picture has no screen or no
 /// subject, the numbers about it are the defaults.
 [[nodiscard]] ScreenQuality judge_screen(const Picture& picture, const glm::dvec3& color,
                                          const Difference& difference = {});

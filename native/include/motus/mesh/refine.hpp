@@ -20,9 +20,10 @@ struct Refined {
 };
 
 /// Halves all edges longer than `longest_edge`, > 0, again and again: the surface keeps its shape, and gets
-/// no new gaps. Throws std::invalid_argument, naming the argument, if a position is not finite, a triangle
-/// names a vertex that does not exist, `longest_edge` is not greater than 0, or more vertices than
-/// `most_vertices`, or four times as many triangles, would be needed.
+/// no new gaps. An edge stays if single precision has no position between its ends. Throws
+/// std::invalid_argument, naming the argument, if a position is not finite, a triangle names a vertex that
+/// does not exist, `longest_edge` is not greater than 0, or more vertices than `most_vertices`, or four times
+/// as many triangles, would be needed.
 [[nodiscard]] Refined refine(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
                              double longest_edge, std::size_t most_vertices);
 

@@ -17,7 +17,8 @@ struct Burst {
 };
 
 /// A rate that changes: from each of the times, s, to the next it goes evenly from each value, flakes a
-/// second, to the next. It is held before the first and after the last.
+/// second, to the next, by less than double precision holds a second. It is held before the first and after
+/// the last.
 struct RateKeys {
     std::vector<double> times;   ///< strictly rising, finite
     std::vector<double> values;  ///< one for each time, >= 0, finite

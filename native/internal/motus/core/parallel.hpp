@@ -8,15 +8,17 @@
 #include <mutex>
 
 #include "motus/core/executor.hpp"
+#include "motus/core/ieee_floats.hpp"
 
 namespace motus {
 
 /// Calls work(first, last) for parts that together are [0, count), each once, on the threads of `executor`.
 /// Parts have at least `grain` elements (all of them, if there are fewer); long ones begin at multiples of
 /// 64. Which thread takes which part, and how many there are, is not determined: the result must not depend
-/// on it. Returns when all is done. An exception of `work` passes to the caller (one of them, if several
-/// threads throw), and parts not yet begun are left out. A thread takes about 20 us to start: below some
-/// 50 us of work, let the grain leave it to the caller's thread.
+/// on it. The floating-point mode is the standard one in all parts, whatever the threads of a host have.
+/// Returns when all is done. An exception of `work` passes to the caller (one of them, if several threads
+/// throw), and parts not yet begun are left out. A thread takes about 20 us to start: below some 50 us of
+/// work, let the grain leave it to the caller's thread.
 template <class Work>
 void in_parts(std::size_t count, std::size_t grain, const Work& work, const Executor& executor = {}) {
     if (count == 0) return;
@@ -29,7 +31,7 @@ void in_parts(std::size_t count, std::size_t grain, const Work& work, const Exec
     if (length > step) length = (length + step - 1) / step * step;
     const std::size_t parts = (count + length - 1) / length;
     if (parts == 1) {
-        work(std::size_t{0}, count);
+        in_ieee_floats([&] { work(std::size_t{0}, count); });
         return;
     }
 
@@ -38,8 +40,10 @@ void in_parts(std::size_t count, std::size_t grain, const Work& work, const Exec
     std::mutex failing;
     const auto take_parts = [&] {
         try {
-            for (std::size_t part = next++; part < parts; part = next++)
-                work(part * length, std::min(count, (part + 1) * length));
+            in_ieee_floats([&] {
+                for (std::size_t part = next++; part < parts; part = next++)
+                    work(part * length, std::min(count, (part + 1) * length));
+            });
         } catch (...) {
             next = parts;
             const std::lock_guard lock(failing);

@@ -57,6 +57,16 @@ double weight_of(const GazeTarget& target) {
     return weight_of(target.weight);
 }
 
+/// A power of two, by its exponent, from which the weights are not far and which they do not exceed: of
+/// weights in its unit the sum is finite.
+int unit_of_weights(const GazeInput& input) {
+    double largest = weight_of(input.target_weight);
+    for (const GazeTarget& target : input.further) largest = std::max(largest, weight_of(target));
+    int exponent = 0;
+    static_cast<void>(std::frexp(largest, &exponent));
+    return exponent;
+}
+
 double sum_of_weights(const GazeInput& input) {
     double sum = weight_of(input.target_weight);
     for (const GazeTarget& target : input.further) sum += weight_of(target);
@@ -110,8 +120,10 @@ class GazePlan::Solver {
         if (input_.further.empty()) return towards(place, input_.target);
         glm::dvec2 sum(0.0);
         double weights = 0.0;
-        const auto add = [&](const glm::dvec3& target, double weight) {
+        const int unit = unit_of_weights(input_);
+        const auto add = [&](const glm::dvec3& target, double given) {
             const std::optional<glm::dvec3> direction = towards(place, target);
+            const double weight = std::scalbn(given, -unit);
             if (!direction || weight == 0.0) return;
             sum += weight * chart_->place(*direction);
             weights += weight;

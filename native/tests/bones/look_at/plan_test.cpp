@@ -139,6 +139,18 @@ TEST_CASE("several targets are blended by weight, opposed ones too", "[rig_look_
     CHECK(angle_between(turned_by(), about_z(40 * degree)) < 1e-7);
     figure.input.target_weight = 0.0;
     CHECK(angle_between(turned_by(), about_z(-20 * degree)) < 1e-7);
+    // Weights whose sum, or whose product with an angle, is beyond double precision.
+    for (const double huge : {1e308, 1.7e308}) {
+        figure.input.target_weight = further[0].weight = huge;
+        CHECK(angle_between(turned_by(), about_z(20 * degree)) < 1e-7);
+        further.assign(9, {at(60 * degree), huge});
+        figure.input.further = further;
+        CHECK(angle_between(turned_by(), about_z(60 * degree)) < 1e-7);
+        further.assign(1, {at(-20 * degree), 1.0});
+        figure.input.further = further;
+        CHECK(angle_between(turned_by(), about_z(60 * degree)) < 1e-7);
+    }
+    figure.input.target_weight = 0.0;
     further[0].weight = 0.25;  // the animated gaze takes the rest
     CHECK(angle_between(turned_by(), about_z(-5 * degree)) < 1e-7);
     further[0].weight = -1.0;
