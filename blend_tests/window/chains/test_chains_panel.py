@@ -68,6 +68,7 @@ def test_the_overlay_shows_limits_pins_and_what_is_touched():
     view.view_perspective, view.view_location, view.view_distance = 'PERSP', start + (0.8, 0.0, -0.4), 4.0
     view.view_rotation = mathutils.Euler((1.3, 0.0, 0.35)).to_quaternion()
     yield
+    yield from window_support.until(lambda: support.addon("chains.steps").done(rig) is None)
     batches = support.addon("core.interface.overlay").batches(bpy.context)
     overlay = support.addon("chains.overlay")
     assert {tuple(batch.colors) for batch in batches} == {
