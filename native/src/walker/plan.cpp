@@ -202,10 +202,16 @@ std::vector<Planner::ChosenStand> Planner::chosen_stands(std::size_t leg, std::s
 
 std::vector<std::size_t> Planner::choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
     std::vector<ChosenStand> stands = chosen_stands(leg, stretch, falls);
-    std::vector<std::size_t> timed;
-    for (const ChosenStand& stand : stands)
-        if (has_times(settings_.chosen[stand.chosen])) timed.push_back(stand.chosen);
-    if (!timed.empty()) make_room(leg, stretch, falls, stands);
+    const std::vector<ChosenStand> wanted = stands;
+    const auto is_timed_stand = [&](const ChosenStand& stand) {
+        return has_times(settings_.chosen[stand.chosen]);
+    };
+    if (std::ranges::any_of(wanted, is_timed_stand)) make_room(leg, stretch, falls, stands);
+    std::vector<std::size_t> uncertain;
+    for (const ChosenStand& stand : wanted)
+        if (is_timed_stand(stand) ||
+            std::ranges::find(stands, stand.chosen, &ChosenStand::chosen) == stands.end())
+            uncertain.push_back(stand.chosen);
     for (const ChosenStand& stand : stands) {
         const ChosenStep& step = settings_.chosen[stand.chosen];
         for (std::size_t i = stand.first; i < stand.end; ++i) {
@@ -223,7 +229,7 @@ std::vector<std::size_t> Planner::choose(std::size_t leg, std::size_t stretch, F
             }
         }
     }
-    return timed;
+    return uncertain;
 }
 
 void Planner::make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
@@ -503,12 +509,13 @@ std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
 
 void Planner::add_mistimed(std::size_t leg, std::size_t stretch, std::span<const Footstep> steps,
                            std::vector<Problem>& found) const {
-    for (const std::size_t one : timed_[row(leg, stretch)]) {
+    for (const std::size_t one : uncertain_[row(leg, stretch)]) {
         const ChosenStep& wanted = settings_.chosen[one];
         const auto step = std::ranges::find(steps, std::optional(one), &Footstep::chosen);
         const bool is_there = step != steps.end();
         const bool touches = is_there && step->lift < step->touch && step->touch == wanted.touch;
         const bool lifts = is_there && step + 1 != steps.end() && (step + 1)->lift == wanted.until;
+        if (!has_times(wanted)) found.push_back({leg, wanted.time, wanted.time, Trouble::left_out});
         if (wanted.touch && !touches) found.push_back({leg, *wanted.touch, *wanted.touch, Trouble::no_touch});
         if (wanted.until && !lifts) found.push_back({leg, *wanted.until, *wanted.until, Trouble::no_lift});
     }
@@ -518,11 +525,11 @@ WalkPlan Planner::plan() {
     const std::size_t stretches = trajectory_.stretch_count();
     const std::size_t rows = hips_.size() * stretches;
     falls_.resize(rows);
-    timed_.resize(rows);
+    uncertain_.resize(rows);
     for_legs([&](std::size_t leg) {
         for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
             falls_[row(leg, stretch)] = footfalls(leg, stretch);
-            timed_[row(leg, stretch)] = choose(leg, stretch, falls_[row(leg, stretch)]);
+            uncertain_[row(leg, stretch)] = choose(leg, stretch, falls_[row(leg, stretch)]);
         }
     });
     dynamics::Track leans = leans_of(all_steps(false));

@@ -71,15 +71,16 @@ class Planner {
     [[nodiscard]] std::vector<ChosenStand> chosen_stands(std::size_t leg, std::size_t stretch,
                                                          const Footfalls& falls) const;
     [[nodiscard]] bool is_timed(std::size_t leg, std::size_t stretch) const;
-    /// Puts footfalls where, and when, they are chosen to be. Returns the indices of timed stands in
-    /// WalkSettings::chosen.
+    /// Puts footfalls where, and when, they are chosen to be. Returns the indices in WalkSettings::chosen of
+    /// timed stands, and of those that have no step because a timed one lasts beyond them.
     std::vector<std::size_t> choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
     /// Gives timed stands the footfalls that are nearest to their moments, leaves out footfalls that are
     /// passed over, and has those around make room. The stands are then of one footfall each, without those
     /// that have none left.
     void make_room(std::size_t leg, std::size_t stretch, Footfalls& falls,
                    std::vector<ChosenStand>& stands) const;
-    /// Adds a problem for each moment at which a timed step does not touch down or lift.
+    /// Adds a problem for each moment at which a timed step does not touch down or lift, and for each chosen
+    /// step that is left out.
     void add_mistimed(std::size_t leg, std::size_t stretch, std::span<const Footstep> steps,
                       std::vector<Problem>& found) const;
     /// Turn of the flat sole, from the body's space to the world.
@@ -117,10 +118,10 @@ class Planner {
     Reach reach_;
     SoleFrame soles_;
     Executor executor_;
-    std::vector<glm::dvec3> hips_;                 ///< the settings', or the middle of all feet for each leg
-    std::vector<Footfalls> falls_;                 ///< by row()
-    std::vector<std::vector<std::size_t>> timed_;  ///< by row(): indices in WalkSettings::chosen
-    std::vector<Correction> corrections_{};        ///< at samples
+    std::vector<glm::dvec3> hips_;                     ///< the settings', or the middle of all feet for each leg
+    std::vector<Footfalls> falls_;                     ///< by row()
+    std::vector<std::vector<std::size_t>> uncertain_;  ///< by row(): what choose() has returned
+    std::vector<Correction> corrections_{};            ///< at samples
 };
 
 }  // namespace motus::walker
