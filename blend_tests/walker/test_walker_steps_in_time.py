@@ -218,6 +218,8 @@ class StepsInTime(cases.WalkerTestCase):
                 spider.motus.walker.steps[1].use_lift = False
                 self.assertWell(spider)
                 spider.motus.walker.steps.clear()
+                spider.update_tag()
+                self.assertWell(spider)
 
     def test_the_chart(self):
         spider = self.walking()
