@@ -106,6 +106,7 @@ OPERATORS = {
     "Keep as Shape Key": "Conservar como clave de forma",
     "Take as Rest": "Tomar como reposo",
     "Regular Rest": "Reposo regular",
+    "The rest made by hand does not fit any more, as after a change of the resolution: take it anew, or take the regular one": "El reposo hecho a mano ya no encaja, como tras un cambio de la resolución: tómalo de nuevo, o toma el regular",
     "Apply": "Aplicar",
     "Fit Lattice": "Ajustar jaula",
     "Pull Lattice": "Tirar de la jaula",
