@@ -18,7 +18,7 @@ INTERFACE = {
     "Deep Winter": "Pleno invierno",
     "Deepest": "Espesor máximo",
     "Dusting": "Nevada ligera",
-    "Size of the lump of snow that each landed flake adds, as the edge of a cube: twice the size lets snow grow eight times as fast": "Tamaño del terrón de nieve que añade cada copo que se posa, como arista de un cubo: con el doble la nieve crece ocho veces más deprisa",
+    "Size of the lump of snow that each landed flake adds, as the edge of a cube: twice the size lets snow grow eight times as fast": "Tamaño del terrón de nieve que agrega cada copo que se posa, como arista de un cubo: con el doble la nieve crece ocho veces más deprisa",
     "Length of edges up to which the faces of the snow layer are divided: a small one shows fine detail, and takes longer to compute": "Longitud de aristas hasta la que se dividen las caras del manto: una pequeña muestra detalles finos, y tarda más en calcularse",
     "Emitters": "Emisores",
     "Calculate where all flakes land, which takes some time for so many; then every frame is shown at once": "Calcular dónde caen todos los copos, que siendo tantos lleva su tiempo; después cada fotograma se ve al momento",
