@@ -203,6 +203,24 @@ class StepsInTime(cases.WalkerTestCase):
             with self.assertRaisesRegex(RuntimeError, sentence):
                 time_step(spider, **changes)
 
+    def test_a_changed_step_that_is_left_out_is_told(self):
+        spider = self.walking()
+        frame = frames_of(step_on(spider))[1] + 1.0
+        following = step_on(spider, frame=frame)
+        place = tuple(np.array(following.end) + (0.02, 0.02, 0.0))
+        told = f"{FOOT} takes no step on frame {following.planned / cases.seconds(1.0):.0f}, where it was changed: it still stands where it is held"
+        for changes in ({"location": place}, {"turn": 0.1}, {"lock": True}):
+            with self.subTest(changes=changes):
+                bpy.ops.motus.walker_step(object=spider.name, foot=FOOT, frame=frame, **changes)
+                self.assertWell(spider)
+                time_step(spider, lift=frames_of(following)[1])
+                self.assertEqual(self.sentence(spider), told)
+                spider.motus.walker.steps[1].use_lift = False
+                self.assertWell(spider)
+                spider.motus.walker.steps.clear()
+                spider.update_tag()
+                self.assertWell(spider)
+
     def test_the_chart(self):
         spider = self.walking()
         chart = support.addon("walker.steps.chart")

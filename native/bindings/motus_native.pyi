@@ -1147,8 +1147,8 @@ class Walker:
     def problems(self) -> list[tuple[int, float, float, str]]:
         """
         Problems with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
-        foot stands on its rest place, 'out_of_reach' of the hip, 'no_length' of a leg, and 'no_touch' and 'no_lift' if a foot cannot touch
-        down or lift when `chosen` says.
+        foot stands on its rest place, 'out_of_reach' of the hip, 'no_length' of a leg, 'no_touch' and 'no_lift' if a foot cannot touch
+        down or lift when `chosen` says, and 'left_out' if a chosen foothold has no step, since a timed one lasts beyond it.
         """
     @property
     def settled(self) -> float:

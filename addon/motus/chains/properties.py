@@ -47,11 +47,18 @@ class ChainsKeywords:
         "Tip Frequency", "Frequency of the last bone, as a part of that of the first one", 1.0, min=0.0, max=10.0, soft_max=2.0, step=5
     )
     damping: _number(
-        "Damping", "0 swings for ever, 1 comes to rest soonest without swinging", 0.3, min=0.0, max=100.0, soft_max=2.0, precision=3, step=2
+        "Damping",
+        "How soon swinging dies out: 0 swings for ever, 1 comes to rest soonest without swinging, above 1 it creeps to rest",
+        0.3,
+        min=0.0,
+        max=100.0,
+        soft_max=2.0,
+        precision=3,
+        step=2,
     )
     response: _number(
         "Response",
-        "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first",
+        "How the motion sets off: 0 starts slowly, 1 at once, above 1 it overshoots, below 0 it winds up to the other side first",
         0.0,
         min=-100.0,
         max=100.0,
@@ -63,7 +70,8 @@ class ChainsKeywords:
     gravity: _number("Gravity", "How much of the scene's gravity pulls the chain", 1.0, min=0.0, max=2.0, subtype='FACTOR')
     tip_shape: _number(
         "Tip Shape",
-        "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1",
+        "Where along the chain it goes over to Tip Frequency, Tip Mass and Tip Thickness: evenly at 1, near its root below 1, near its "
+        "tip above 1",
         1.0,
         min=0.1,
         max=10.0,
@@ -72,7 +80,16 @@ class ChainsKeywords:
     )
     use_curve: _use_curve
     curve: _curve
-    drag: _number("Air Drag", "How fast the chain takes on the air's velocity, per second", 0.5, min=0.0, max=1000.0, soft_max=10.0, step=5)
+    drag: _number(
+        "Air Drag",
+        "How quickly the chain takes on the air's velocity, per second: at 0 it feels neither wind nor still air, "
+        "at 10 it drifts almost with the air",
+        0.5,
+        min=0.0,
+        max=1000.0,
+        soft_max=10.0,
+        step=5,
+    )
     tip_mass: _number(
         "Tip Mass", "Mass of the last bone, as a part of that of the first one", 1.0, min=0.01, max=100.0, soft_max=10.0, step=5
     )

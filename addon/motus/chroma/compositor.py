@@ -27,7 +27,7 @@ def keys_of(scene):
     """Return the nodes of all keys of a scene: the key whose picture is rendered, then the remaining keys in the order of adding."""
     tree = tree_of(scene)
     found = [node for node in tree.nodes if node.type == 'GROUP' and group.is_group(node.node_tree)] if tree else []
-    return sorted(found, key=lambda node: node.get(group.KEY) == _ANOTHER)
+    return sorted(found, key=lambda node: group.role(node) == _ANOTHER)
 
 
 def active_key(scene):
@@ -42,14 +42,14 @@ def show(scene, view):
     Further keys output their composite; for the view SOURCE they pass the footage through unchanged.
     """
     for node in keys_of(scene):
-        is_rendered = node.get(group.KEY) != _ANOTHER
+        is_rendered = group.role(node) != _ANOTHER
         group.show(node.node_tree, view if is_rendered or view == group.SOURCE else group.COMPOSITE)
 
 
 def node_of(scene, role):
     """The node that was added to the scene's compositor tree with this role; None if there is none."""
     tree = tree_of(scene)
-    return next((node for node in tree.nodes if node.get(group.KEY) == role), None) if tree else None
+    return next((node for node in tree.nodes if group.role(node) == role), None) if tree else None
 
 
 def prepared(scene, noted):
@@ -171,7 +171,7 @@ def remove_mask(scene, key, name):
     node, socket = mask_of(scene, key, name), key.inputs.get(name)
     for link in [link for link in tree.links if link.to_socket == socket]:
         tree.links.remove(link)
-    while node is not None and str(node.get(group.KEY, "")).startswith(name):
+    while node is not None and group.role(node).startswith(name):
         behind = next((link.to_node for link in tree.links if link.from_node == node), None)
         tree.nodes.remove(node)
         node = behind
@@ -234,7 +234,7 @@ def underneath(scene):
     link = next((link for link in tree_of(scene).links if link.to_node == key and link.to_socket.name == "Background"), None)
     if link is None:
         return 'NOTHING'
-    return 'FOOTAGE' if link.from_node.get(group.KEY) == f"{BACKGROUND} Size" else 'RENDER'
+    return 'FOOTAGE' if group.role(link.from_node) == f"{BACKGROUND} Size" else 'RENDER'
 
 
 def lay_underneath(scene, wanted, noted):
@@ -253,7 +253,7 @@ def _lay(scene, tree, key, wanted, background, noted):
     target = key.inputs["Background"]
     for link in [link for link in tree.links if link.to_socket == target]:
         tree.links.remove(link)
-    for node in [node for node in tree.nodes if node.get(group.KEY) in (BACKGROUND, f"{BACKGROUND} Alpha", f"{BACKGROUND} Size", RENDER)]:
+    for node in [node for node in tree.nodes if group.role(node) in (BACKGROUND, f"{BACKGROUND} Alpha", f"{BACKGROUND} Size", RENDER)]:
         tree.nodes.remove(node)
     if wanted == 'FOOTAGE':
         _link_image(scene, tree, BACKGROUND, background, 'CROP', target)
@@ -373,7 +373,7 @@ def show_image(scene, node, image):
         node.frame_duration, node.frame_start, node.use_auto_refresh = footage.LAST_FRAME, 1, True
     elif image.source in {'MOVIE', 'SEQUENCE'}:
         footage.play(image, node, scene)
-    straight = next((other for other in node.id_data.nodes if other.get(group.KEY) == f"{node.get(group.KEY)} Alpha"), None)
+    straight = next((other for other in node.id_data.nodes if group.role(other) == f"{group.role(node)} Alpha"), None)
     if straight is not None:
         straight.mute = image is None or image.is_float
 
@@ -424,6 +424,6 @@ def _arrange(tree, key):
     """Move new nodes into the frame of a key's node, to the positions that belong to their roles."""
     left, low = key.location.x - _COLUMNS[_KEY][0], key.location.y - _COLUMNS[_KEY][1]
     for node in tree.nodes:
-        if node.get(group.KEY) in _COLUMNS and node != key and node.parent is None:
-            x, y = _COLUMNS[node[group.KEY]]
+        if group.role(node) in _COLUMNS and node != key and node.parent is None:
+            x, y = _COLUMNS[group.role(node)]
             node.parent, node.location = key.parent, (left + x, low + y)

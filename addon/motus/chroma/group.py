@@ -8,6 +8,7 @@ computes the alpha by this formula too.
 import bpy
 
 from ..core.blender import capabilities, node_groups
+from ..core.file import stored
 from . import settings
 from .sheet import Sheet
 
@@ -51,6 +52,14 @@ def build(width):
 def is_group(tree):
     """Whether a node tree is the node group of a chroma key."""
     return tree is not None and KEY in tree
+
+
+def role(node):
+    """Role of a node that was added around a key's node; "" for a node of the user."""
+    try:
+        return stored.text(node.get(KEY))
+    except stored.Damaged:
+        return ""
 
 
 def is_of_older_version(tree):

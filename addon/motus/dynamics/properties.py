@@ -51,7 +51,8 @@ class DynamicsKeywords:
 
     follow: bpy.props.EnumProperty(
         name="Follow",
-        description="Motion that is followed: the thing's own, or that through the world, of its parents too",
+        description="Which motion is followed: only that of the object or bone itself, or its motion through the world, along with its "
+        "parents",
         items=FOLLOWS,
         default='OWN',
         update=rewire,
@@ -79,7 +80,7 @@ class DynamicsKeywords:
     )
     damping: _number(
         "Damping",
-        "0 swings for ever, 1 comes to rest soonest without swinging",
+        "How soon swinging dies out: 0 swings for ever, 1 comes to rest soonest without swinging, above 1 it creeps to rest",
         0.4,
         min=0.0,
         max=filters.GREATEST_DAMPING,
@@ -89,7 +90,7 @@ class DynamicsKeywords:
     )
     response: _number(
         "Response",
-        "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first",
+        "How the motion sets off: 0 starts slowly, 1 at once, above 1 it overshoots, below 0 it winds up to the other side first",
         0.0,
         min=-filters.GREATEST_RESPONSE,
         max=filters.GREATEST_RESPONSE,
@@ -128,7 +129,8 @@ class DynamicsKeywords:
     )
     jump: _number(
         "Teleport",
-        "A motion of more than this in a frame is a jump, after which the dynamics start anew at rest; 0 for none",
+        "Distance within one frame beyond which something was put elsewhere, not moved: the dynamics then start anew at rest; 0 is no "
+        "such limit",
         0.0,
         min=0.0,
         unit='LENGTH',
@@ -202,7 +204,7 @@ class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
     )
     settling: _seen(
         "Settling",
-        "Time until the motion has come to rest, but for a fiftieth of the way",
+        "Time until the motion stays within 2 % of its way from where it has to stop",
         "settling",
         min=filters.LEAST_SETTLING,
         max=filters.GREATEST_SETTLING,

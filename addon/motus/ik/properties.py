@@ -80,10 +80,21 @@ class IkKeywords:
     )
     pole_angle: _angle("Pole Angle", "Turns the chain about the line from its root to the target")
     hinge_angle: _angle(
-        "Bend Axis", "Angle about the first bone, from its X axis, of the axis that a chain bends about if its animated pose is straight"
+        "Bend Axis",
+        "Which way a chain bends whose animated pose is straight: 0 about the X axis of its first bone, 90 degrees about the Z axis",
     )
-    softness: _factor("Softness", "Share of the chain's length over which it slows down before it is straight", 0.0)
-    stretch: _factor("Stretch", "Share of the missing distance by which the bones lengthen", 0.0, update=_change_stretch)
+    softness: _factor(
+        "Softness",
+        "Share of the chain's length over which it slows down before it is straight, so that the joint does "
+        "not snap; 0 follows the target to the last",
+        0.0,
+    )
+    stretch: _factor(
+        "Stretch",
+        "How far bones lengthen towards a target that is out of reach: 0 keeps their lengths, 1 reaches the target",
+        0.0,
+        update=_change_stretch,
+    )
     volume: _factor("Keep Volume", "How far bones that lengthen get thinner by that, so that they keep their volume", 0.0)
     use_limits: bpy.props.BoolProperty(
         name="Use Limits",
@@ -106,7 +117,8 @@ class IkKeywords:
     )
     target_blend: _number(
         "Blend",
-        "0 is the target, 1 the first of the further targets, and between them the way from one to the other",
+        "Which target the chain goes to: 0 is its target, 1 the first of the further targets, 2 the second; numbers between are on the "
+        "way from one to the next",
         0.0,
         min=0.0,
         soft_max=4.0,

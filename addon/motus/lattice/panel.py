@@ -85,6 +85,9 @@ def _draw_rest(column, lattice, name, modifier=""):
         buttons[-1].use_regular = True
     for button in buttons:
         button.object, button.modifier = name, modifier
+    if resting.is_lost(lattice, removal.deformed_by(lattice)):
+        said = tr("The rest made by hand does not fit any more, as after a change of the resolution: take it anew, or take the regular one")
+        ui.draw_message(column, said, 'ERROR')
 
 
 def _draw_points(layout, data):

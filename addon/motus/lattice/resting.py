@@ -4,6 +4,7 @@ Blender's Lattice modifier knows regular rests alone. So a shape key of each mes
 where the vertices are modelled.
 """
 
+from ..core.file import stored
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
@@ -27,7 +28,10 @@ STEP = 1e-3
 def key_of(obj):
     """Return the shape key of a mesh object that a rest made by hand has brought; None if there is none."""
     keys = obj.data.shape_keys if obj.type == 'MESH' else None
-    return keys and keys.key_blocks.get(obj.data.get(STORED, ""))
+    try:
+        return keys and keys.key_blocks.get(stored.text(obj.data.get(STORED)))
+    except stored.Damaged:
+        return None
 
 
 def is_made(lattice):
@@ -35,13 +39,24 @@ def is_made(lattice):
     return STORED in lattice.data
 
 
+def is_lost(lattice, objects):
+    """Whether the rest made by hand of a lattice, or the shape key of one of the objects that it deforms, is not what make() has left."""
+    return is_made(lattice) and (_made(lattice.data) is None or any(STORED in obj.data and key_of(obj) is None for obj in objects))
+
+
 def points(data):
     """Points of a lattice at rest, (n, 3) float32: as made by hand, or the regular grid."""
-    regular = shapes.lattice_points(data, "co")
-    stored = data.get(STORED)
-    if stored is None or len(stored) != regular.size:  # the resolution was changed
-        return regular
-    return np.array(stored, np.float32).reshape(-1, 3)
+    made = _made(data)
+    return shapes.lattice_points(data, "co") if made is None else made
+
+
+def _made(data):
+    """Points of a rest made by hand, (n, 3) float32; None if there is none, it is damaged, or it is of another resolution."""
+    count = 3 * len(data.points)
+    try:
+        return np.array(stored.finite_doubles(data.get(STORED), count), np.float32).reshape(-1, 3)
+    except stored.Damaged:
+        return None
 
 
 def make(lattice, uses):

@@ -146,7 +146,7 @@ class MOTUS_PG_layers_entry(LayerKeywords, bpy.types.PropertyGroup):
     )
     is_solo: bpy.props.BoolProperty(
         name="Solo",
-        description="Play this layer without those that are not played alone too",
+        description="Play only the layers whose Solo is on, as long as it is on for any",
         default=False,
         update=touch,
         options=set(),

@@ -43,7 +43,9 @@ class LookAtKeywords:
     body_weight: _weight("Body", "Share of the turn that the spine takes, spread over its bones", 0.3)
     head_weight: _weight("Head", "Share of what the body leaves that the head takes", 1.0)
     eyes_weight: _weight("Eyes", "Share of what the head leaves that the eyes take", 0.0)
-    clamp: _weight("Clamp", "How much the whole turn is held back: 0 lets it go all around, 0.5 to the side, 1 not at all", 0.5)
+    clamp: _weight(
+        "Clamp", "Limit of the whole turn to a target: 0 lets it go all around, 0.5 up to 90 degrees to each side, 1 not at all", 0.5
+    )
     body_limit: _limit("Body Limit", "Largest turn of all spine bones together", 60.0)
     head_limit: _limit("Head Limit", "Largest turn of the head against the spine", 80.0)
     eyes_limit: _limit("Eyes Limit", "Largest turn of the eyes against the head", 35.0)
@@ -132,7 +134,10 @@ class MOTUS_PG_look_at_target(bpy.types.PropertyGroup):
     bone: bpy.props.StringProperty(
         name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire, override=OVERRIDABLE
     )
-    weight: _target_weight("Weight", "Share of this target in the direction that is looked in, against those of the other targets")
+    weight: _target_weight(
+        "Weight",
+        "How much the head looks to this further target, against the weights of the others; the animation takes what all are short of 1",
+    )
 
 
 class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
@@ -142,13 +147,15 @@ class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
         name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire, override=OVERRIDABLE
     )
     target_weight: _target_weight(
-        "Target Weight", "Share of the target in the direction that is looked in, against those of the further targets"
+        "Target Weight",
+        "How much the head looks to this target, against the weights of the further ones; the animation takes what all are short of 1",
     )
     extra_targets: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_target, name="Further Targets", override=EXTENDABLE)
     active_extra_target: bpy.props.IntProperty(name="Active Further Target", options=set())
     body_length: bpy.props.IntProperty(
         name="Spine Bones",
-        description="How many bones below the head turn along, the neck among them",
+        description="Number of bones, down the spine from the parent of the head, that turn along with it, the neck among them; 0 turns "
+        "the head alone",
         default=0,
         min=0,
         max=255,

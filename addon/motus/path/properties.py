@@ -114,7 +114,12 @@ class FollowKeywords:
     start_frame: _number("Start", "Frame at which the motion starts", 1.0, step=100)
     offset: _number("Offset", "Distance by which the object is ahead along the path; negative for behind", 0.0, subtype='DISTANCE')
     distance_factor: _number(
-        "Fraction", "Fraction of the path's length at which the object is", 0.0, soft_min=0.0, soft_max=1.0, subtype='FACTOR'
+        "Fraction",
+        "Where the object is on the path: 0 at its start, 1 at its end; to be keyed or driven",
+        0.0,
+        soft_min=0.0,
+        soft_max=1.0,
+        subtype='FACTOR',
     )
     distance: _number("Distance", "Distance along the path at which the object is, to be keyed or driven", 0.0, subtype='DISTANCE')
     ease_in: _number(
@@ -141,7 +146,7 @@ class FollowKeywords:
     up_axis: choice("Up", "Axis of the object that points up", AXES, 'POS_Z')
     lag_rate: _number(
         "Lag",
-        "How quickly the orientation follows in bends, per second and bend: small values trail far behind; 0 follows at once",
+        "How quickly the object turns along with bends: small values trail far behind, large ones hardly do; 0 follows at once",
         0.0,
         min=0.0,
         soft_max=10.0,

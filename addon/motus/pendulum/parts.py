@@ -5,8 +5,9 @@ from mathutils import Matrix
 
 from ..core import wiring
 from ..core.declare import registered
-from ..core.file import libraries
+from ..core.file import libraries, stored
 from ..core.file.pointers import pointed
+from ..core.refusals import INFINITE
 
 MADE_KEY = "motus_pendulum"
 """Name of a custom property of meshes that Motus has made: the length of a rod's mesh, 0 for a bob's mesh."""
@@ -140,8 +141,11 @@ def fit(owner):
 
 def _fit_mesh(mesh, length):
     # The artist may have given the rod a different mesh, which has no such property.
-    made = mesh.get(MADE_KEY) if mesh else None
-    if not isinstance(made, float) or not made > 0.0 or made == length or mesh.library:
+    try:
+        made = stored.number(mesh.get(MADE_KEY) if mesh else None)
+    except stored.Damaged:
+        return
+    if not made > 0.0 or made == length or mesh.library:
         return
     for vertex in mesh.vertices:
         vertex.co.z *= length / made
@@ -150,7 +154,9 @@ def _fit_mesh(mesh, length):
 
 
 def matrix(values):
-    """Make a matrix from its 16 values, row after row."""
+    """Make a matrix from its 16 values, row after row; the identity if a value is not finite, as a file may have it."""
+    if not all(abs(value) < INFINITE for value in values):
+        return Matrix()
     return Matrix([values[row : row + 4] for row in range(0, 16, 4)])
 
 

@@ -22,7 +22,7 @@ FALLOFFS = (
     ('SHARP', "Sharp", "A thorn with a wide foot"),
     ('CONSTANT', "Constant", "All vertices within the radius move alike"),
     ('GAUSSIAN', "Gaussian", "A bell"),
-    ('CLASSIC', "Classic", "Compares the squared distance with the radius, so that the pull reaches as far as the radius' square root"),
+    ('CLASSIC', "Classic", "Reaches as far as the square root of the radius: 2 at a radius of 4; Scale Factor says how steep it is"),
     ('CURVE', "Curve", "A curve that you draw"),
 )
 DISTANCES = (
@@ -50,7 +50,7 @@ class BrushKeywords:
 
     radius: bpy.props.FloatProperty(
         name="Radius",
-        description="Distance from the root that the pull reaches; a number of edges if the distance counts edges",
+        description="How far the pull reaches from the vertex that is pulled; a number of edges if Distance is Edges",
         default=1.0,
         min=1e-6,
         soft_min=0.01,
@@ -67,7 +67,7 @@ class BrushKeywords:
     )
     strength: bpy.props.FloatProperty(
         name="Strength",
-        description="Distance by which one dab moves the root; negative pushes",
+        description="How far one dab moves the vertex that is pulled; negative pushes it instead",
         default=0.1,
         soft_min=-10.0,
         soft_max=10.0,
@@ -76,7 +76,7 @@ class BrushKeywords:
     )
     falloff: bpy.props.EnumProperty(
         name="Falloff",
-        description="How the force fades from the root to the radius",
+        description="How the pull fades from the vertex that is pulled, which it moves whole, to the radius, where it moves nothing",
         items=FALLOFFS,
         default='SMOOTH',
         options=set(),
@@ -200,7 +200,7 @@ class MOTUS_PG_dab(bpy.types.PropertyGroup):
 class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
     edge_count: bpy.props.IntProperty(
         name="Radius",
-        description="Number of edges from the root that the pull reaches",
+        description="How many edges away from the vertex that is pulled the pull reaches",
         min=1,
         soft_max=100,
         options=set(),

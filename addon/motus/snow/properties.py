@@ -156,7 +156,8 @@ class SnowKeywords:
     gravity: switch("Gravity", "The scene's gravity pulls flakes down")
     drag: number(
         "Air Drag",
-        "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind",
+        "How quickly flakes take on the velocity of the air, per second: at 0 they do not feel the wind, at 10 they drift with it "
+        "almost at once",
         0.0,
         min=0.0,
         max=1000.0,
@@ -164,7 +165,7 @@ class SnowKeywords:
     )
     wind: bpy.props.FloatVectorProperty(
         name="Wind",
-        description="Velocity of the air in world space; it may be keyed",
+        description="Velocity of the air along the world's axes, which flakes feel if Air Drag is above 0; it may be keyed",
         size=3,
         subtype='XYZ',
         unit='VELOCITY',
@@ -190,7 +191,7 @@ class SnowKeywords:
     ground: number("Height", "Height of the ground, along the world's Z axis", 0.0, subtype='DISTANCE')
     collision: bpy.props.EnumProperty(
         name="Landed",
-        description="Behavior of flakes that have landed",
+        description="What a flake does after it has landed on a collider or on the ground: it lies still, slides downhill, or melts",
         items=COLLISIONS,
         default='STAY',
         options=set(),
@@ -209,7 +210,7 @@ class SnowKeywords:
 
     look: bpy.props.EnumProperty(
         name="Flakes",
-        description="Geometry that the flakes are shown as",
+        description="What each flake looks like: a shape that Motus makes, an object or a collection of your own, or a bare point",
         items=LOOKS,
         default='FLAKE',
         options=set(),

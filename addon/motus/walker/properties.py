@@ -14,17 +14,21 @@ from . import ground
 MOST_LEGS = 64
 
 _GAITS = (
-    ('TETRAPOD', "Tetrapod", "Every second leg of a side with the others of the other side, as spiders go"),
+    (
+        'TETRAPOD',
+        "Tetrapod",
+        "Two groups take turns, each with every second leg of one side and the legs between on the other side, as spiders go",
+    ),
     (
         'TRIPOD',
         "Tripod",
-        "Every second leg of a side with the others of the other side, in two halves that take turns without a pause, as insects run",
+        "Two groups take turns without a pause, each with every second leg of one side and those between on the other, as insects run",
     ),
     ('RIPPLE', "Ripple", "One leg after the other from the back to the front, the sides half a cycle apart"),
     ('WAVE', "Wave", "A single leg at a time, slow and safe"),
     ('TROT', "Trot", "Diagonal halves take turns"),
     ('PACE', "Pace", "Left and right legs take turns"),
-    ('OWN', "Custom", "The phase of each leg is a setting of its own"),
+    ('OWN', "Custom", "Each leg steps when its own Phase in the list of legs says"),
     ('WALK', "Walk", "Left and right in turn on two legs; on four each hind leg, then the fore leg of its side"),
     ('RUN', "Run", "As Trot, or left and right on two legs, with all feet in the air in between"),
     ('CANTER', "Canter", "Three beats: a hind leg, a diagonal, and the fore leg that leads"),
@@ -56,12 +60,25 @@ class WalkerKeywords:
     """
 
     gait: choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD', ANIMATED)
-    use_duty: switch("Custom Duty", "Set how long feet stand, instead of what the gait says")
-    duty: _number("Duty", "Share of a cycle for which each foot stands", 0.6, ANIMATED, min=0.05, max=0.95, subtype='FACTOR')
-    stride: _length("Stride", "How far the body goes while a foot stands, at most", 0.5, options=ANIMATED)
+    use_duty: switch("Custom Duty", "Take the setting Duty for how long feet stand, in place of the gait's own value")
+    duty: _number(
+        "Duty",
+        "Share of the time for which each foot stands; for the rest it swings to its next foothold: small in a run, large in a slow walk",
+        0.6,
+        ANIMATED,
+        min=0.05,
+        max=0.95,
+        subtype='FACTOR',
+    )
+    stride: _length(
+        "Stride",
+        "How far the body goes, at most, while a foot stands: a faster body takes more steps, not longer ones",
+        0.5,
+        options=ANIMATED,
+    )
     cadence: _number(
         "Cadence",
-        "Cycles of all legs in a second, at least; a fast body has more",
+        "How many steps each leg takes per second, at least; it takes more if the body would otherwise need steps longer than Stride",
         1.0,
         ANIMATED,
         min=1e-3,
@@ -69,11 +86,14 @@ class WalkerKeywords:
         soft_min=0.2,
         soft_max=5.0,
     )
-    use_natural: switch("Natural Stride", "Have steps as long as animals of this height take them at the body's speed")
+    use_natural: switch(
+        "Natural Stride",
+        "Take the length of steps from Hip Height and the body's speed, as measured on animals of all sizes, in place of Stride",
+    )
     hip_height: _length("Hip Height", "How high the hips are above the ground; 0 takes the height of the legs", 0.0)
     transition: _number(
         "Transition",
-        "Cycles in which legs go over from one gait to the next, if the gait is keyed",
+        "How many steps each leg takes, from a key of Gait on, until it has gone over to the new gait; 1 is the quickest change",
         1.0,
         min=1.0,
         max=100.0,
@@ -168,7 +188,12 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
     )
     hip: _numbers("Hip", "Position where the leg begins, in the body's space")
     length: _length("Length", "Length of the whole leg, before the body's scale; 0 for a leg that reaches everywhere", 0.0)
-    phase: _factor("Phase", "Position of the leg in the cycle: legs of the same phase step together", 0.0)
+    phase: _factor(
+        "Phase",
+        "When this leg steps if the gait is Custom, as a share of the time from step to step: legs of the same "
+        "phase step together, and 0 and 1 are the same",
+        0.0,
+    )
 
 
 class MOTUS_PG_walker_step(bpy.types.PropertyGroup):

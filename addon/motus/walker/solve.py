@@ -21,7 +21,7 @@ UNTIMED = Problem("Some steps cannot be when they are set", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, UNTIMED, BONES_CHANGED)
 
-MISTIMED = {"no_touch", "no_lift"}
+MISTIMED = {"no_touch", "no_lift", "left_out"}
 """Reasons of walker.problems that tell of times, not of places."""
 
 INPUTS = (Geometries("awaited", of=ground.objects),)

@@ -74,6 +74,7 @@ def _unreached(context, owner, leg, first, last, reason, more):
         "no_length": lambda: tr("The leg of {foot} has no length"),
         "no_touch": lambda: tr("{foot} cannot land on frame {first}: its steps before leave no room"),
         "no_lift": lambda: tr("{foot} cannot lift on frame {first}: its step has no room, or is the last one"),
+        "left_out": lambda: tr("{foot} takes no step on frame {first}, where it was changed: it still stands where it is held"),
     }[reason]()
     entry = owner.motus.walker.legs[leg]
     told = said.format(foot=legs.label(entry), first=frames[0], last=frames[1])

@@ -136,7 +136,9 @@ class Layout(test_habits.Layout):
         pass
 
 
-class WrongKinds(support.SceneTestCase):
+class LiveFile(support.SceneTestCase):
+    """Base of tests that spoil a file with all systems, time and again, and look at everything."""
+
     def setUp(self):
         super().setUp()
         live_scenes.opened()
@@ -202,6 +204,8 @@ class WrongKinds(support.SceneTestCase):
             if values:
                 raw[name] = values[number % len(values)]
 
+
+class WrongKinds(LiveFile):
     def each(self, wanted, values):
         """Spoils one property of each class after the other, and looks at everything."""
         for number, names in enumerate(list(rounds(wanted))):

@@ -296,6 +296,8 @@ template <class Write>
             return "no_touch";
         case walker::Trouble::no_lift:
             return "no_lift";
+        case walker::Trouble::left_out:
+            return "left_out";
     }
     return "";
 }
@@ -409,8 +411,8 @@ foot is half-way; middle (s,), s, of the stand; turn (s, 4), w, x, y, z, of the 
 `chosen` it follows, -1 for none; planned (s,), s: `middle` if none had a touch or until. If lift equals touch the foot is put there at once: at the first sample and at jumps.)")
         .def_property_readonly("problems", &problems, R"(
 Problems with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
-foot stands on its rest place, 'out_of_reach' of the hip, 'no_length' of a leg, and 'no_touch' and 'no_lift' if a foot cannot touch
-down or lift when `chosen` says.)")
+foot stands on its rest place, 'out_of_reach' of the hip, 'no_length' of a leg, 'no_touch' and 'no_lift' if a foot cannot touch
+down or lift when `chosen` says, and 'left_out' if a chosen foothold has no step, since a timed one lasts beyond it.)")
         .def_property_readonly("settled", &Walker::settled, "When the last foot has come to rest, s.")
         .def_property_readonly("nbytes", &Walker::bytes, "Of the memory that it takes.");
 }

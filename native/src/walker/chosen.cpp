@@ -113,14 +113,19 @@ std::vector<Planner::ChosenStand> Planner::chosen_stands(std::size_t leg, std::s
 
 std::vector<std::size_t> Planner::choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
     std::vector<ChosenStand> stands = chosen_stands(leg, stretch, falls);
-    std::vector<std::size_t> timed;
-    for (const ChosenStand& stand : stands)
-        if (has_times(settings_.chosen[stand.chosen])) timed.push_back(stand.chosen);
+    const std::vector<ChosenStand> wanted = stands;
     if (is_timed(row(leg, stretch))) {
         Room room = room_for(leg, stretch, falls, stands);
         const Timing timing = set_moments(leg, stretch, falls, room);
         close_up(leg, stretch, falls, room, timing);
         stands = std::move(room.stands);
+    }
+    std::vector<std::size_t> uncertain;
+    auto left = stands.begin();
+    for (const ChosenStand& stand : wanted) {
+        const bool is_left = left != stands.end() && left->chosen == stand.chosen;
+        if (is_left) ++left;
+        if (!is_left || has_times(settings_.chosen[stand.chosen])) uncertain.push_back(stand.chosen);
     }
     for (const ChosenStand& stand : stands) {
         const ChosenStep& step = settings_.chosen[stand.chosen];
@@ -139,7 +144,7 @@ std::vector<std::size_t> Planner::choose(std::size_t leg, std::size_t stretch, F
             }
         }
     }
-    return timed;
+    return uncertain;
 }
 
 Planner::Room Planner::room_for(std::size_t leg, std::size_t stretch, Footfalls& falls,
@@ -255,9 +260,10 @@ bool Planner::refuse_missed(std::size_t of_row) {
 void Planner::add_mistimed(std::size_t of_row, std::span<const Footstep> steps,
                            std::vector<Problem>& found) const {
     const KeptMoments in_steps(steps);
-    for (const std::size_t one : timed_[of_row]) {
+    for (const std::size_t one : uncertain_[of_row]) {
         const ChosenStep& step = settings_.chosen[one];
         const Kept kept = in_steps.of(one, step.touch, step.until);
+        if (!has_times(step)) found.push_back({step.leg, step.time, step.time, Trouble::left_out});
         if (step.touch && !kept.touch)
             found.push_back({step.leg, *step.touch, *step.touch, Trouble::no_touch});
         if (step.until && !kept.until)

@@ -353,7 +353,7 @@ std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
 void Planner::place(std::size_t leg, std::size_t stretch) {
     Footfalls& falls = falls_[row(leg, stretch)];
     falls = footfalls(leg, stretch);
-    timed_[row(leg, stretch)] = choose(leg, stretch, falls);
+    uncertain_[row(leg, stretch)] = choose(leg, stretch, falls);
     falls.resize(happening(stretch, falls));
 }
 
@@ -361,7 +361,7 @@ WalkPlan Planner::plan() {
     const std::size_t stretches = trajectory_.stretch_count();
     const std::size_t rows = hips_.size() * stretches;
     falls_.resize(rows);
-    timed_.resize(rows);
+    uncertain_.resize(rows);
     for_legs([&](std::size_t leg) {
         for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
             do place(leg, stretch);

@@ -99,8 +99,8 @@ class Planner {
     /// The stands of a leg that are chosen, by time.
     [[nodiscard]] std::vector<ChosenStand> chosen_stands(std::size_t leg, std::size_t stretch,
                                                          const Footfalls& falls) const;
-    /// Puts footfalls where, and when, they are chosen to be. Returns the indices of timed stands in
-    /// WalkSettings::chosen.
+    /// Puts footfalls where, and when, they are chosen to be. Returns the indices in WalkSettings::chosen of
+    /// timed stands, and of those that have no step because a timed one lasts beyond them.
     std::vector<std::size_t> choose(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
     /// Gives timed stands the footfalls that are nearest to their moments. The stands are then of one
     /// footfall each, without those that have none left.
@@ -115,7 +115,8 @@ class Planner {
     /// Refuses moments at which the footfalls of a row do not touch down or lift. Returns whether there were
     /// any: the row is then to be made without them.
     [[nodiscard]] bool refuse_missed(std::size_t of_row);
-    /// Adds a problem for each moment at which a timed step does not touch down or lift.
+    /// Adds a problem for each moment at which a timed step does not touch down or lift, and for each chosen
+    /// step that is left out.
     void add_mistimed(std::size_t of_row, std::span<const Footstep> steps, std::vector<Problem>& found) const;
     /// Turn of the flat sole, from the body's space to the world.
     [[nodiscard]] glm::dquat turn_of(const Footfall& fall) const;
@@ -152,12 +153,12 @@ class Planner {
     Reach reach_;
     SoleFrame soles_;
     Executor executor_;
-    std::vector<glm::dvec3> hips_;                  ///< the settings', or the middle of all feet for each leg
-    std::vector<Footfalls> falls_;                  ///< by row()
-    std::vector<std::vector<std::size_t>> chosen_;  ///< by row(): indices in WalkSettings::chosen, rising
-    std::vector<Moments> moments_;                  ///< of each of WalkSettings::chosen
-    std::vector<std::vector<std::size_t>> timed_;   ///< by row(): indices in WalkSettings::chosen of stands
-    std::vector<Correction> corrections_{};         ///< at samples
+    std::vector<glm::dvec3> hips_;                     ///< the settings', or the middle of all feet for each leg
+    std::vector<Footfalls> falls_;                     ///< by row()
+    std::vector<std::vector<std::size_t>> chosen_;     ///< by row(): indices in WalkSettings::chosen, rising
+    std::vector<Moments> moments_;                     ///< of each of WalkSettings::chosen
+    std::vector<std::vector<std::size_t>> uncertain_;  ///< by row(): what choose() has returned
+    std::vector<Correction> corrections_{};            ///< at samples
 };
 
 }  // namespace motus::walker

@@ -1,7 +1,6 @@
 """Write baked keyframes into a separate action of a datablock, and restore what the datablock had before baking."""
 
 import json
-import math
 import re
 
 import bpy
@@ -116,8 +115,8 @@ def _kept(text):
     left out).
     """
     try:
-        found = json.loads(text)
-    except (ValueError, RecursionError):
+        found = stored.parse(text, _is_anything)
+    except stored.Damaged:
         found = None
     muted = _get(found, "muted", dict)
     values, constraints, drivers = (_get(found, "values", dict), _get(muted, "constraints", list), _get(muted, "drivers", list))
@@ -129,6 +128,11 @@ def _kept(text):
     return *parts, all(one is not None and len(one) == len(part) for one, part in zip((values, constraints, drivers), parts))
 
 
+def _is_anything(_value):
+    """Form of JSON texts that are read part by part: what does not fit is left out, and the rest is restored."""
+    return True
+
+
 def _numbers(text, baked):
     """Read the values of properties before baking from the JSON text of a baked object.
 
@@ -136,8 +140,8 @@ def _numbers(text, baked):
     baking cannot have written them. baked: the action with the baked keyframes, or None. Text that is no JSON gives ([], True).
     """
     try:
-        said = json.loads(text)
-    except (ValueError, RecursionError):
+        said = stored.parse(text, _is_anything)
+    except stored.Damaged:
         return [], True  # _kept() reports unreadable text
     found = said.get("numbers", []) if isinstance(said, dict) else []
     if not stored.fits(found, [(str, lambda value: type(value) is int and value >= -1, float)]):
@@ -161,15 +165,11 @@ def _get(holder, key, kind):
 
 def _is_channel(path, numbers):
     match = _CHANNEL_PATH.fullmatch(path)
-    if not match or not isinstance(numbers, list) or len(numbers) != CHANNELS[match["channel"]]:
-        return False
-    return all(isinstance(one, float) and math.isfinite(one) for one in numbers)
+    return bool(match) and stored.fits(numbers, (float,) * CHANNELS[match["channel"]])
 
 
 def _is_driver(place):
-    if not isinstance(place, list) or [type(part) for part in place] != [str, int, bool]:
-        return False
-    return bool(_CHANNEL_PATH.fullmatch(place[0]))
+    return stored.fits(place, (str, int, bool)) and bool(_CHANNEL_PATH.fullmatch(place[0]))
 
 
 def mute(id_data, tracks, sinks):

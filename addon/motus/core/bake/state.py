@@ -4,6 +4,7 @@ import bpy
 
 from ..blender import datablocks
 from ..declare import System, has_settings, leader_of, of_owner
+from ..file import stored
 from ..file.pointers import pointed
 
 KEY = "motus_bake"
@@ -31,12 +32,17 @@ class _Noted:
 
     def __getattr__(self, name):
         kind, default = _FORMS[name]
-        noted = self._id.get(KEY)
-        value = noted.get(name) if hasattr(noted, "keys") else None
+        try:
+            value = stored.group(self._id.get(KEY)).get(name)
+        except stored.Damaged:
+            return default
         return value if isinstance(value, kind) else default
 
     def __setattr__(self, name, value):
-        if not hasattr(self._id.get(KEY), "keys"):
+        try:
+            stored.group(self._id.get(KEY))
+        except stored.Damaged:
+            self._id.pop(KEY, None)
             self._id[KEY] = {}
         if value is None:
             self._id[KEY].pop(name, None)

@@ -7,9 +7,12 @@ the function of the solver's driver turns Damaged into a sentence for the panel.
 from __future__ import annotations
 
 import json
-import math
 import re
 from typing import Any
+
+import idprop
+
+from ..refusals import INFINITE
 
 LARGEST_TEXT = 1 << 22
 """Most characters of a JSON text. A rig with a hundred IK chains needs 40,000."""
@@ -45,6 +48,35 @@ def doubles(value: Any, count: int | None = None) -> memoryview[float]:
     return memory
 
 
+def finite_doubles(value: Any, count: int) -> memoryview[float]:
+    """As doubles(), of numbers that are finite in single precision, which Blender uses. Raises Damaged if the property is anything else."""
+    memory = doubles(value, count)
+    if not all(abs(number) < INFINITE for number in memory):
+        raise Damaged("no finite numbers")
+    return memory
+
+
+def number(value: Any) -> float:
+    """A custom property that holds a number, finite in single precision. Raises Damaged if the property is anything else."""
+    if not fits(value, float):
+        raise Damaged("no number")
+    return float(value)
+
+
+def text(value: Any) -> str:
+    """A custom property that holds a text. Raises Damaged if the property is anything else."""
+    if not isinstance(value, str):
+        raise Damaged("no text")
+    return value
+
+
+def group(value: Any) -> Any:
+    """A custom property that holds a group of properties. Raises Damaged if the property is anything else, such as a datablock."""
+    if not isinstance(value, idprop.types.IDPropertyGroup):
+        raise Damaged("no group")
+    return value
+
+
 def whole_numbers(value: Any, count: int) -> memoryview[int]:
     """Memoryview of a custom property that holds an array of 32-bit integers. Raises Damaged if the property is anything else.
 
@@ -78,7 +110,8 @@ def parse(text: Any, form: Any) -> Any:
 def fits(value: Any, form: Any) -> bool:
     """Whether a value parsed from JSON has a given form.
 
-    str, bool: a value of this type. int: an integer from 0 to LARGEST_NUMBER. float: any finite number.
+    str, bool: a value of this type. int: an integer from 0 to LARGEST_NUMBER. float: a number that is finite in single precision, which
+    Blender uses.
     [form]: a list in which each item has this form. (form, form): a list with exactly one item for each of these forms.
     {name: form}: an object with exactly these fields; a field whose name ends in "?" may be missing.
     A function: the value fits if the function returns true for it.
@@ -101,7 +134,7 @@ def _has_fields(value: dict[str, Any], form: dict[str, Any]) -> bool:
 
 def _is_number(value: Any) -> bool:
     # An integer in JSON may be too large for a float, so that its size is checked.
-    return (type(value) is float and math.isfinite(value)) or (type(value) is int and abs(value) <= LARGEST_NUMBER)
+    return (type(value) is float and abs(value) < INFINITE) or (type(value) is int and abs(value) <= LARGEST_NUMBER)
 
 
 _FITS = {

@@ -8,6 +8,7 @@ from typing import Any
 import bpy
 
 from .. import native
+from ..file import stored
 from ..refusals import Refused, check_local
 from ..translations import tr
 from .view import first_steps
@@ -160,7 +161,10 @@ class FindsValues(Operator):
         self.found_values = json.dumps(found)
 
     def _is_found(self, name):
-        found = json.loads(self.found_values or "{}")
+        try:
+            found = stored.parse(self.found_values or "{}", lambda value: isinstance(value, dict))
+        except stored.Damaged:  # a script or a preset may have given any text
+            return False
         return name in found and found[name] == _plain(getattr(self, name))
 
 

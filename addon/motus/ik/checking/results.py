@@ -1,13 +1,16 @@
 """Result of checking a chain over a range of frames: stored in the chain's entry, and told to the user in a sentence."""
 
+import math
 import re
 
 import bpy
 
 from ...core.blender.frames import ranges, spoken
+from ...core.file.choices import chosen
 from ...core.translations import tr
 
-_RUN = re.compile(r"(-?[\d.]+)(?:-(-?[\d.]+))?")
+_NUMBER = r"-?\d+(?:\.\d+)?"
+_RUN = re.compile(rf"({_NUMBER})(?:-({_NUMBER}))?", re.ASCII)
 _SAME_FRAME = 1e-3
 
 WHY = (
@@ -75,9 +78,9 @@ def contradicts(entry, frame, why):
     """
     if not _was_checked(entry, frame):
         return False
-    is_noted = entry.check_reason == 'ANIMATED' or _lies_in(entry.check_frames, frame)
-    before = entry.check_reason if is_noted else 'NONE'
-    if entry.check_reason == 'UNSOLVED':  # for all different frames it is not known whether the target was reached
+    reason = chosen(entry, "check_reason")
+    before = reason if reason == 'ANIMATED' or _lies_in(entry.check_frames, frame) else 'NONE'
+    if reason == 'UNSOLVED':  # for all different frames it is not known whether the target was reached
         return (before == 'UNSOLVED') != (why == 'UNSOLVED')
     return _kind(before) != _kind(why)
 
@@ -87,10 +90,11 @@ def _kind(why):
 
 
 def _was_checked(entry, frame):
-    if not _lies_in(entry.check_range, frame):
+    runs = _RUN.findall(entry.check_range)
+    if not _lies_in(entry.check_range, frame) or not entry.check_step > 0.0:
         return False
-    steps = (frame - float(_RUN.match(entry.check_range)[1])) / entry.check_step  # type: ignore[index]
-    return abs(steps - round(steps)) * entry.check_step < _SAME_FRAME
+    steps = (frame - float(runs[0][0])) / entry.check_step
+    return math.isfinite(steps) and abs(steps - round(steps)) * entry.check_step < _SAME_FRAME
 
 
 def _lies_in(frames, frame):
@@ -111,6 +115,6 @@ def sentence(entry, length):
         'TURN': tr("Too far with the target's orientation on {frames}, at most {length} short (checked {range})"),
         'ITERATIONS': tr("Iterations used up on {frames}, at most {length} short (checked {range})"),
     }
-    return templates[entry.check_reason].format(
+    return templates[chosen(entry, "check_reason")].format(
         frames=spoken(entry.check_frames), length=length(entry.check_worst), range=entry.check_range
     )

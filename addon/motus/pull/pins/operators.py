@@ -107,7 +107,7 @@ class MOTUS_OT_pin_add(FindsValues, PinOperator, PinKeywords, bpy.types.Operator
     )
     strength: bpy.props.FloatProperty(
         name="Strength",
-        description="Share of the pin's displacement that the root moves; negative pushes",
+        description="How much of its displacement the pinned vertex moves by: 0 nothing, 1 all of it; negative moves it the other way",
         default=1.0,
         soft_min=-2.0,
         soft_max=2.0,

@@ -14,7 +14,7 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Name", description="Name of the pin", options=set(), override=OVERRIDABLE)
     strength: number(
         "Strength",
-        "Share of the pin's displacement that the root moves; negative pushes",
+        "How much of its displacement the pinned vertex moves by: 0 nothing, 1 all of it; negative moves it the other way",
         1.0,
         options=ANIMATED,
         soft_min=-2.0,
@@ -23,13 +23,18 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     is_muted: switch("Mute", "Switch the pin off", options=ANIMATED)
     radius: number(
         "Radius",
-        "Distance from the root that the pull reaches; a number of edges if the distance counts edges",
+        "How far the pull reaches from the vertex that is pulled; a number of edges if Distance is Edges",
         1.0,
         min=1e-6,
         soft_min=0.01,
         soft_max=100.0,
     )
-    falloff: choice("Falloff", "How the force fades from the root to the radius", FALLOFFS, 'SMOOTH')
+    falloff: choice(
+        "Falloff",
+        "How the pull fades from the vertex that is pulled, which it moves whole, to the radius, where it moves nothing",
+        FALLOFFS,
+        'SMOOTH',
+    )
     scale_factor: number(
         "Scale Factor",
         "How steep the falloff Classic is: 0 is the least steep, and larger numbers, negative ones too, are steeper",
@@ -42,7 +47,9 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
         "Distance", "How the distance from the vertex that is pulled is measured, by which the others come along", DISTANCES, 'STRAIGHT'
     )
     weld: number("Weld Distance", "Vertices within this distance of each other move as one; 0 welds none", 0.0, min=0.0, soft_max=0.1)
-    displacement: vector("Displacement", "How far the pinned vertex goes at a strength of 1, in the object", 3, subtype='XYZ')
+    displacement: vector(
+        "Displacement", "How far the pinned vertex goes at a strength of 1, along the object's own axes and in its units", 3, subtype='XYZ'
+    )
     mirror: choice(
         "Mirror", "Pull on the other side of the object too, mirrored across these axes of the object", AXES, set(), options={'ENUM_FLAG'}
     )

@@ -20,7 +20,7 @@ class SnowCoverKeywords:
 
     lump: number(
         "Snow per Flake",
-        "Edge of the cube of snow that each flake that lands adds: with larger ones snow grows faster",
+        "Size of the lump of snow that each landed flake adds, as the edge of a cube: twice the size lets snow grow eight times as fast",
         0.1,
         min=1e-5,
         max=1e3,
@@ -30,7 +30,7 @@ class SnowCoverKeywords:
     )
     resolution: number(
         "Resolution",
-        "Largest length of the edges of the layer, however large the faces are that it lies on",
+        "Length of edges up to which the faces of the snow layer are divided: a small one shows fine detail, and takes longer to compute",
         0.1,
         min=1e-4,
         max=1e6,
@@ -40,7 +40,8 @@ class SnowCoverKeywords:
     )
     viewport_resolution: number(
         "Viewport Resolution",
-        "Resolution in the viewport if it is coarser, so that it is computed faster; renders have the other one",
+        "Length of edges in the viewport, where a coarser snow layer is computed faster; up to that of Resolution it has no effect, and "
+        "none on renders",
         0.0,
         min=0.0,
         max=1e6,
@@ -49,7 +50,7 @@ class SnowCoverKeywords:
     )
     repose: number(
         "Slope",
-        "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down",
+        "Steepest slope on which all snow stays where it lands; the steeper a slope is beyond it, the more of its snow slides down",
         math.radians(50.0),
         min=0.0,
         max=math.radians(89.0),
@@ -58,7 +59,7 @@ class SnowCoverKeywords:
     smoothing: number("Smoothing", "How far snow spreads to what lies beside it", 0.25, min=0.0, max=1e6, soft_max=2.0, subtype='DISTANCE')
     thinnest: number(
         "Thinnest",
-        "Snow that is thinner is hidden, so that the surface shows between the first flakes",
+        "Least depth of snow that is shown: thinner snow is hidden, so that the surface shows between the first flakes",
         0.004,
         min=0.0,
         max=1e3,

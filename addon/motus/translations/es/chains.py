@@ -60,12 +60,13 @@ INTERFACE = {
     "Frequency of the last bone, as a part of that of the first one" + NO_KEYS: "Frecuencia del último hueso, como parte de la del primero"
     + _NO_KEYS_ES,
     "How much of the scene's gravity pulls the chain" + NO_KEYS: "Cuánta gravedad de la escena tira de la cadena" + _NO_KEYS_ES,
-    "How fast the chain takes on the air's velocity, per second"
-    + NO_KEYS: "Con qué rapidez toma la cadena la velocidad del aire, por segundo" + _NO_KEYS_ES,
+    "How quickly the chain takes on the air's velocity, per second: at 0 it feels neither wind nor still air, at 10 it drifts almost with the air"
+    + NO_KEYS: "Con qué rapidez toma la cadena la velocidad del aire, por segundo: con 0 no siente ni viento ni aire quieto, con 10 va casi con el aire"
+    + _NO_KEYS_ES,
     "Tip Mass": "Masa de la punta",
     "Tip Shape": "Forma de la punta",
-    "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1"
-    + NO_KEYS: "A qué altura de la cadena toma los valores de su punta: pronto por debajo de 1, por igual con 1, cerca del final por encima de 1"
+    "Where along the chain it goes over to Tip Frequency, Tip Mass and Tip Thickness: evenly at 1, near its root below 1, near its tip above 1"
+    + NO_KEYS: "En qué parte de la cadena se pasa a Frecuencia, Masa y Grosor de la punta: uniformemente con 1, cerca de su raíz por debajo de 1, cerca de su punta por encima de 1"
     + _NO_KEYS_ES,
     "Shape by Curve": "Forma por curva",
     "Draw a curve that says how much of the tip's values is reached along the chain, from its root at the left to its tip, in place of Tip Shape"

@@ -70,6 +70,7 @@ INTERFACE = {
     "The modifier {modifier} of {object} is switched off in the viewport": "El modificador {modifier} de {object} está desactivado en la vista",
     "The shape of {object} is linked from another file: make it local first": "La forma de {object} está enlazada de otro archivo: hazla local antes",
     "The vertex group {group} of {object} is empty": "El grupo de vértices {group} de {object} está vacío",
+    "The rest made by hand does not fit any more, as after a change of the resolution: take it anew, or take the regular one": "El reposo hecho a mano ya no encaja, como tras un cambio de la resolución: tómalo de nuevo, o toma el regular",
     "This lattice deforms nothing": "Esta jaula no deforma nada",
     "Vertex group that was made for the vertices that the lattice deforms": "Grupo de vértices que se hizo para los vértices que la jaula deforma",
     "Interpolation between the lattice's points": "Interpolación entre los puntos de la jaula",

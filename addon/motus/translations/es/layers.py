@@ -147,7 +147,7 @@ INTERFACE = {
     "{action} turns {bone} in a different rotation mode than the rig: give the bone that mode first": "{action} gira {bone} en otro modo de rotación que el rig: hay que dar ese modo al hueso primero",
     "What lies beneath the layer is not known: {reason}": "No se conoce lo que hay debajo de la capa: {reason}",
     "Solo": "Solo esta",
-    "Play this layer without those that are not played alone too": "Reproducir esta capa sin las que no se reproducen también solas",
+    "Play only the layers whose Solo is on, as long as it is on for any": "Reproducir solo las capas que tienen Solo esta activado, mientras lo tenga alguna",
     "Edited": "En edición",
     "The layer's action is shown and keyed in the editors": "Los editores muestran la acción de la capa, que recibe las claves",
     "Open": "Abierta",

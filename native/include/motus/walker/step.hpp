@@ -72,6 +72,7 @@ enum class Trouble {
     no_length,     ///< the leg has no length
     no_touch,      ///< the foot cannot touch down when a ChosenStep says
     no_lift,       ///< the foot cannot lift when a ChosenStep says
+    left_out,      ///< a ChosenStep has no step: a timed one of the foot lasts beyond it
 };
 
 struct Problem {

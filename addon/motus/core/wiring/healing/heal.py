@@ -17,15 +17,28 @@ from .watch import noticed
 
 log = logging.getLogger(__name__)
 
+_is_healing = []
+"""The moment of the repairs that are going on; empty otherwise."""
+
 
 def heal(moment, depsgraph=None):
     """Make those repairs of repairs.TABLE that are due at a moment and for which a change that needs the repair is detected.
 
     moment: such as repairs.EDIT. depsgraph: dependency graph that Blender has passed to the handler, or None. An exception in a repair is
-    logged, not raised.
+    logged, not raised. Nothing is repaired if a repair is going on: a repair may call an operator, after which Blender evaluates at once,
+    and what is half wired then would be wired once more.
     """
-    event = repairs.Event(moment, depsgraph)
-    for repair in repairs.AT[moment]:
+    if _is_healing:
+        return
+    _is_healing.append(moment)
+    try:
+        _heal(repairs.Event(moment, depsgraph))
+    finally:
+        _is_healing.clear()
+
+
+def _heal(event):
+    for repair in repairs.AT[event.moment]:
         if noticed.in_use or not repair.needs_use:
             try:
                 found = repair.sign(event)

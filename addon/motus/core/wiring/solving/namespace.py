@@ -15,6 +15,7 @@ from ...evaluated import copies
 from ...evaluated.per_thread import keep_state
 from ...file.stored import Damaged
 from ...lazy import numpy as np
+from ...refusals import INFINITE
 from ..healing import heal, revival
 from ..healing.watch import noticed
 from ..hubs import outbox, sharing
@@ -88,6 +89,7 @@ def _rest_slots(system, key, carrier):
         # Neutral values even if the meaning of the slots is unknown: in a file as it was saved, all slots are 0, except scales, which
         # are 1.
         box[box != 1] = 0
+    box[~(np.abs(box) < INFINITE)] = 0
     box[outbox.STATUS : outbox.FIRST_OUTPUT] = 0
     layout = outbox.layout_of(system, carrier, key, len(box))
     if property_sink.KEY not in carrier:
