@@ -137,6 +137,23 @@ class RestTest(support.SceneTestCase):
         np.testing.assert_allclose(cases.evaluated(ball), rest, atol=1e-7)
         self.assertEqual((list(lattice.data.keys()), list(ball.data.keys())), ([], []))
 
+    def test_its_shape_key_may_be_renamed(self):
+        ball = cases.ball()
+        rest = cases.evaluated(ball)
+        lattice = self.shaped(ball)
+        bpy.ops.motus.lattice_rest(object=lattice.name)
+        key = ball.data.shape_keys.key_blocks[1]
+        key.name = "Renamed"
+        cases.displace(lattice, 0.03, 2)
+        bpy.ops.motus.lattice_rest(object=lattice.name)
+        self.assertEqual(ball.data.shape_keys.key_blocks.keys(), ["Basis", "Renamed"])
+        np.testing.assert_allclose(cases.evaluated(ball), rest, atol=5e-6)
+        ball.data.shape_keys.key_blocks[1].name = "Renamed Again"
+        bpy.ops.motus.lattice_rest(object=lattice.name, use_regular=True)
+        self.assertIsNone(ball.data.shape_keys)
+        np.testing.assert_allclose(cases.evaluated(ball), rest, atol=1e-7)
+        self.assertEqual((list(lattice.data.keys()), list(ball.data.keys())), ([], []))
+
     def test_strength_groups_and_turned_objects(self):
         ball = cases.ball(place=(1.0, 2.0, 3.0))
         ball.rotation_euler, ball.scale = (0.4, 0.2, 1.0), (1.0, 2.0, 0.5)

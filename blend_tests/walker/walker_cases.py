@@ -87,9 +87,9 @@ def places(owner):
     seen = owner.evaluated_get(depsgraph)
     return np.array(
         [
-            (seen.matrix_world @ seen.pose.bones[leg.name].matrix).translation
-            if leg.name
-            else leg.foot.evaluated_get(depsgraph).matrix_world.translation
+            leg.foot.evaluated_get(depsgraph).matrix_world.translation
+            if leg.foot
+            else (seen.matrix_world @ seen.pose.bones[leg.name].matrix).translation
             for leg in owner.motus.walker.legs
         ]
     )

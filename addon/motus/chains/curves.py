@@ -13,6 +13,7 @@ from ..core.blender import datablocks, helpers
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
+from ..core.settings import lists
 from ..core.settings.entries import unwired
 from ..core.translations import tr
 
@@ -78,7 +79,7 @@ def prepare(owner):
     with unwired(owner.motus.chains) as settings:
         for entry in [one for one in settings.entries if one.spline >= 0]:
             found = places(owner, entry.spline)
-            if len(found) < FEWEST:
+            if len(found) < max(FEWEST, lists.count_from_library(entry.links)):
                 continue
             if not anchors(owner, entry):
                 _make_anchors(owner, entry, len(found))
@@ -103,12 +104,10 @@ def _is_hook(one):
 
 
 def _make_anchors(owner, entry, count):
-    entry.links.clear()
-    for index in range(count):
-        anchor = helpers.make(f"Motus Chains {owner.name} {entry.name} {index + 1}")
+    made = [helpers.make(f"Motus Chains {owner.name} {entry.name} {index + 1}") for index in range(count)]
+    for anchor in made:
         anchor.parent = owner
-        link = entry.links.add()
-        link.name, link.object = str(index), anchor
+    lists.replace(entry.links, [{"name": str(index), "object": anchor} for index, anchor in enumerate(made)])
 
 
 def _hooked(owner, settings):

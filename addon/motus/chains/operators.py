@@ -3,7 +3,6 @@
 import bpy
 
 from ..core import wiring
-from ..core.file import libraries
 from ..core.interface import bone_entries
 from ..core.interface.operators import OBJECT_OR_POSE_MODE, FindsValues, OfARig, named_or_active, object_keyword
 from ..core.refusals import (
@@ -14,7 +13,7 @@ from ..core.refusals import (
     check_no_tweak_mode,
     named,
 )
-from ..core.settings import drawn_curves, entries, targets
+from ..core.settings import drawn_curves, entries, lists, targets
 from ..core.settings.declared import factor
 from ..core.translations import counted, tr
 from . import chosen, groups, mirroring, pins, properties, rows, setup, told
@@ -110,11 +109,7 @@ class MOTUS_OT_chains_remove(OfARig, bpy.types.Operator):
 
     def _remove(self, context, owner):
         indices = self._indices(context, owner)
-        count = libraries.count_from_library(owner, "motus.chains.entries")
-        if any(index < count for index in indices):
-            raise Refused(
-                tr("{object} has these chains from its library, so that they cannot be removed here: mute them").format(object=owner.name)
-            )
+        lists.check_own(owner.motus.chains.entries, indices)
         setup.remove(owner, indices)
 
     def _indices(self, context, owner):
@@ -261,10 +256,6 @@ class MOTUS_OT_chains_unpin(OfARig, bpy.types.Operator):
         chosen.check_editable(rig)
         check_no_tweak_mode(rig)
         indices = self._indices(context, rig, self.object, self.bones, self.index)
-        if min(indices) < libraries.count_from_library(rig, pins.PATH):
-            raise Refused(
-                tr("{object} has these pins from its library, so that they cannot be removed here: mute them").format(object=rig.name)
-            )
         setup.unpin(rig, indices)
 
     @staticmethod

@@ -3,9 +3,8 @@
 from ..core import wiring
 from ..core.declare import registered
 from ..core.declare.forgetting import forget
-from ..core.file import libraries
 from ..core.file.pointers import pointed
-from ..core.settings import drawn_curves, entries, entry_keys, targets
+from ..core.settings import drawn_curves, entries, entry_keys, lists, targets
 from . import along, curves, groups, naming, pins, properties
 
 
@@ -42,10 +41,7 @@ def add(owner, names, changes, rows, splines):
 
 def entry_of(settings, name, changes):
     """Return the entry of a name, added if there is none, with these settings changed, {setting: value}. Call this within entries.at_once()."""
-    entry = settings.entries.get(name)
-    if entry is None:
-        entry = settings.entries.add()
-        entry.name = name
+    entry = settings.entries.get(name) or lists.add(settings.entries, name)
     for key, value in changes.items():
         setattr(entry, key, value)
     return entry
@@ -58,10 +54,11 @@ def entry_of_bone(settings, name, changes):
 
 
 def _link(entry, objects):
-    entry.links.clear()
-    for obj in objects:
-        link = entry.links.add()
-        link.name, link.object = obj.name, obj
+    lists.replace(entry.links, [{"name": obj.name, "object": obj} for obj in objects], is_same=_is_same_link)
+
+
+def _is_same_link(link, row):
+    return pointed(link, "object") == row["object"]
 
 
 def remove(owner, indices):
@@ -72,7 +69,7 @@ def remove(owner, indices):
     bones = {name for chain in groups.chains(owner) if chain.entry.name in gone for name in chain.pinnable}
     had_anchors = any(entry.spline >= 0 for entry in settings.entries)
     is_last = len(gone) == len(settings.entries)
-    kept = libraries.count_from_library(owner, pins.PATH)
+    kept = lists.count_from_library(settings.pins)
     unpin(owner, [index for index, one in enumerate(settings.pins) if index >= kept and (is_last or one.name in bones)])
     entries.remove(system(), owner, indices, "chosen_entry")
     drawn_curves.remove_unused(drawn)
@@ -97,10 +94,7 @@ def free(obj):
 def pin(owner, bone, changes):
     """Add a pin of a bone, or change the one that it has. changes: {setting: value}. Call this within entries.at_once()."""
     settings = owner.motus.chains
-    found = settings.pins.get(bone)
-    if found is None:
-        found = settings.pins.add()
-        found.name = bone
+    found = settings.pins.get(bone) or lists.add(settings.pins, bone)
     for name, value in changes.items():
         setattr(found, name, value)
     settings.active_pin = settings.pins.find(bone)
@@ -110,11 +104,12 @@ def unpin(owner, indices):
     """Remove pins of an owner by their indices, and delete the empties that Motus made for them if nothing else needs these."""
     if not indices:
         return
+    lists.check_own(owner.motus.chains.pins, indices)
     with entries.at_once(system(), owner) as settings:
         held_to = {pointed(settings.pins[index], "target") for index in indices}
         for index in sorted(indices, reverse=True):
             entry_keys.forget(owner, pins.PATH, settings.pins, index)
-            settings.pins.remove(index)
+            lists.remove(settings.pins, index)
         settings.active_pin = max(0, min(settings.active_pin, len(settings.pins) - 1))
     for target in held_to:
         targets.remove_unneeded(target, pins.MADE_KEY)

@@ -136,7 +136,7 @@ def entries(owner):
 
 def is_missing(owner, entry):
     """Whether an entry names a bone that does not exist in the rig."""
-    return bool(entry.name) and (owner.pose is None or entry.name not in owner.pose.bones)
+    return bool(entry.name and not entry.data_path) and (owner.pose is None or entry.name not in owner.pose.bones)
 
 
 def groups(owner):
@@ -185,7 +185,7 @@ def bone_renamed(owner, rig, old, new):
         return
     with unwired(owner.motus.dynamics) as settings:
         for entry in settings.entries:
-            if entry.name == old:
+            if entry.name == old and not entry.data_path:
                 entry.name = new
             if entry.chain == old:
                 entry.chain = new

@@ -2,7 +2,7 @@
 
 from ..core.blender import datablocks
 from ..core.declare import registered
-from ..core.settings import entries
+from ..core.settings import entries, lists
 from . import inputs
 
 
@@ -16,14 +16,18 @@ def add(owner, wanted):
     with entries.at_once(system(), owner) as settings:
         for name, changes in wanted.items():
             index = find(settings, name)
-            entry = settings.entries.add() if index < 0 else settings.entries[index]
-            if isinstance(name, str):
-                entry.name = name
-            else:
-                entry.data_path, entry.index = name
+            entry = _new(settings.entries, name) if index < 0 else settings.entries[index]
             for key, value in changes.items():
                 setattr(entry, key, value)
             settings.chosen_entry = find(settings, name)
+
+
+def _new(listed, name):
+    if isinstance(name, str):
+        return lists.add(listed, name)
+    entry = lists.add_numbered(listed, name[0])
+    entry.data_path, entry.index = name
+    return entry
 
 
 def remove(owner, indices):

@@ -218,7 +218,8 @@ class _Making:
         self.parts, self.tails, self.values, self.members, self.problems, self.carriers, self.laid = [], [], [], [], [], [], []
         self._numbers = _numbers(settings.entries)
         self._places = {
-            (entry.name, entry.data_path, entry.index if entry.data_path else -1): place for place, entry in enumerate(settings.entries)
+            ("", entry.data_path, entry.index) if entry.data_path else (entry.name, "", -1): place
+            for place, entry in enumerate(settings.entries)
         }
 
     def unit(self, kind, names, rows):

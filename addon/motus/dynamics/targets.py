@@ -8,10 +8,10 @@ import re
 from ..core import wiring
 from ..core.blender import actions
 from ..core.declare import registered, systems
-from ..core.file import libraries
 from ..core.interface import bone_entries
 from ..core.measures import scene_time
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..core.settings import lists
 from ..core.translations import tr
 from . import inputs, setup
 from .groups import unit_reads
@@ -212,11 +212,7 @@ def check_no_loop(owner, names, follow):
 
 def check_removable(owner, indices):
     """Refuse to remove entries that a library override has from its library."""
-    count = libraries.count_from_library(owner, "motus.dynamics.entries")
-    if any(index < count for index in indices):
-        raise Refused(
-            tr("{object} has these dynamics from its library, so that they cannot be removed here: mute them").format(object=owner.name)
-        )
+    lists.check_own(owner.motus.dynamics.entries, indices)
 
 
 def has_own_animation(thing):

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from ..core.declare import has_settings, is_owner, of_owner
 from ..core.file.pointers import pointed
-from ..core.settings import entries
+from ..core.settings import entries, lists
 from . import groups
 from .setup import system
 
@@ -59,8 +59,8 @@ def add(rig, new):
     """Add chains to a rig, and wire it once. new: list of NewChain."""
     with entries.at_once(system(), rig) as settings:
         for chain in new:
-            entry = settings.entries.add()
-            entry.name, entry.softness = chain.bone, chain.softness
+            entry = lists.add(settings.entries, chain.bone)
+            entry.softness = chain.softness
             entry.target, entry.target_bone = chain.target, chain.target_bone
             entry.pole, entry.pole_bone = chain.pole, chain.pole_bone
 

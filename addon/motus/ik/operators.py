@@ -8,6 +8,7 @@ from ..core.file.pointers import pointed
 from ..core.interface import bone_entries, operators
 from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_evaluated, check_finite, check_no_tweak_mode
+from ..core.settings import lists
 from ..core.translations import tr
 from . import chains, rows, setup, status, targets
 from .goals import control_bones, made, placing
@@ -296,7 +297,7 @@ class MOTUS_OT_ik_target_add(OfABone, bpy.types.Operator):
             changes = {"target": goal[0], "target_bone": goal[1]}
             targets.check_no_loop(rig, entry.name, changes, goal)
         with setup.at_once(rig):
-            extra = entry.extra_targets.add()
+            extra = lists.add_numbered(entry.extra_targets, "Target")
             if goal:  # otherwise the user chooses the target in the list
                 extra.object, extra.bone = goal
             entry.active_extra_target = len(entry.extra_targets) - 1
@@ -318,12 +319,12 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
         index = entry.active_extra_target if self.index < 0 else self.index
         if not 0 <= index < len(entry.extra_targets):
             raise Refused(tr("There is no such target"))
-        targets.check_target_removable(rig, entry, index)
+        lists.check_own(entry.extra_targets, [index])
         check_no_tweak_mode(rig)
         with setup.at_once(rig):
             blend_keys.take_out(rig, entry, index + 1)
             blend_trigger.take_out(rig, entry, index + 1)
-            entry.extra_targets.remove(index)
+            lists.remove(entry.extra_targets, index)
             entry.active_extra_target = max(0, min(entry.active_extra_target, len(entry.extra_targets) - 1))
 
 

@@ -3,7 +3,7 @@
 from ..core import wiring
 from ..core.declare import registered
 from ..core.declare.forgetting import forget
-from ..core.settings import entries
+from ..core.settings import entries, lists
 
 
 def system():
@@ -25,10 +25,7 @@ def add(rig, bone, changes):
     changes: {name: value} of settings. The rig is not wired: call this within at_once().
     """
     chains = rig.motus.ik.entries
-    entry = chains.get(bone)
-    if entry is None:
-        entry = chains.add()
-        entry.name = bone
+    entry = chains.get(bone) or lists.add(chains, bone)
     for name, value in changes.items():
         setattr(entry, name, value)
     rig.motus.ik.chosen_entry = chains.find(bone)
@@ -49,7 +46,7 @@ def would_wait_for_itself(rig, bone, changes):
         if before:
             add(rig, bone, kept)
         else:
-            settings.entries.remove(settings.entries.find(bone))
+            lists.remove(settings.entries, settings.entries.find(bone))
         settings.chosen_entry = chosen
     if not settings.entries:
         forget(system(), rig)

@@ -3,9 +3,10 @@
 Errors are raised as Refused, with a sentence for the user.
 """
 
-from ..core.file import deleted, libraries
+from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..core.settings import lists
 from ..core.translations import tr
 from . import chains, setup
 from .goals import placing
@@ -64,19 +65,7 @@ def entry_for(rig, name):
 
 def check_removable(rig, indices):
     """Refuse to remove the entries at these indices if the rig is a library override that has one of them from its library."""
-    first = min(indices, default=None)
-    if first is not None and first < libraries.count_from_library(rig, "motus.ik.entries"):
-        raise Refused(
-            tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
-                bone=rig.motus.ik.entries[first].name, object=rig.name
-            )
-        )
-
-
-def check_target_removable(rig, entry, index):
-    """Refuse to remove the further target at an index if the rig is a library override that has it from its library."""
-    if index < libraries.count_from_library(rig, f"{entry.path_from_id()}.extra_targets"):
-        raise Refused(tr("This target is from the library of {object} and cannot be removed here").format(object=rig.name))
+    lists.check_own(rig.motus.ik.entries, indices)
 
 
 def goal_for(context, object_name, bone_name, rig=None):

@@ -4,6 +4,8 @@ Blender's Lattice modifier knows regular rests alone. So a shape key of each mes
 where the vertices are modelled.
 """
 
+import hashlib
+
 from ..core.file import stored
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
@@ -15,6 +17,8 @@ STORED = "motus_rest"
 
 A mesh has one such key at most: the lattice has to act before all other modifiers.
 """
+PLACES = "motus_rest_places"
+"""Name of a mesh's custom property: a digest of the places that the shape key holds, by which a key is found that was renamed."""
 ROUNDS = 40
 """Most steps of Newton's method for a vertex."""
 NEAR = 1e-6
@@ -28,10 +32,22 @@ STEP = 1e-3
 def key_of(obj):
     """Return the shape key of a mesh object that a rest made by hand has brought; None if there is none."""
     keys = obj.data.shape_keys if obj.type == 'MESH' else None
+    if keys is None or STORED not in obj.data:
+        return None
     try:
-        return keys and keys.key_blocks.get(stored.text(obj.data.get(STORED)))
+        found = keys.key_blocks.get(stored.text(obj.data[STORED]))
     except stored.Damaged:
         return None
+    digest = obj.data.get(PLACES)
+    if found is None and isinstance(digest, str):
+        return next((key for key in keys.key_blocks if _digest(key) == digest), None)
+    return found
+
+
+def _digest(key):
+    flat = np.empty(3 * len(key.data), np.float32)
+    key.data.foreach_get("co", flat)
+    return hashlib.blake2b(flat.tobytes(), digest_size=16).hexdigest()
 
 
 def is_made(lattice):
@@ -73,8 +89,8 @@ def make(lattice, uses):
             active = obj.active_shape_key_index
             key = obj.shape_key_add(name=f"{lattice.name} Rest", from_mix=False)
             obj.active_shape_key_index = active
-            obj.data[STORED] = key.name
         key.data.foreach_set("co", places.ravel())
+        obj.data[STORED], obj.data[PLACES] = key.name, _digest(key)
         key.value = 1.0
         obj.data.update()
     lattice.data[STORED] = shapes.lattice_points(lattice.data).ravel().tolist()
@@ -93,7 +109,8 @@ def release(obj):
     key = key_of(obj)
     if key is None:
         return
-    del obj.data[STORED]
+    for name in (STORED, PLACES):
+        obj.data.pop(name, None)
     obj.shape_key_remove(key)
     if len(obj.data.shape_keys.key_blocks) == 1:
         obj.shape_key_clear()

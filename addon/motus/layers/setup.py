@@ -6,7 +6,7 @@ import bpy
 
 from ..core.blender import actions, capabilities
 from ..core.declare import registered
-from ..core.settings import entries, entry_keys
+from ..core.settings import entries, entry_keys, lists
 from .properties import KEYWORDS
 from .targets import LIST
 
@@ -24,8 +24,7 @@ def add(rig, name, changes, items):
     changes: {setting: value}. items: [(name, 'BONE' or 'COLLECTION', with children)] of its mask.
     """
     with entries.at_once(system(), rig) as settings:
-        entry = settings.entries.add()
-        entry.name = free_name(settings.entries, name)
+        entry = lists.add(settings.entries, free_name(settings.entries, name))
         for setting, value in changes.items():
             setattr(entry, setting, value)
         _add_items(entry, items)
@@ -63,11 +62,12 @@ def change(rig, index, changes, items=None):
     """
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries[index]
+        if items is not None:
+            rows = [dict(zip(_OF_MASK, item)) for item in dict.fromkeys(items)]
+            lists.replace(entry.mask, lists.library_first(entry.mask, rows, _is_same_item), is_same=_is_same_item)
+            entry.active_mask = max(0, len(entry.mask) - 1)
         for setting, value in changes.items():
             setattr(entry, setting, value)
-        if items is not None:
-            entry.mask.clear()
-            _add_items(entry, items)
         settings.active_entry = index
 
 
@@ -86,13 +86,12 @@ def duplicate(rig, index):
     source = rig.motus.layers.entries[index]
     changes = {name: getattr(source, name) for name in (*KEYWORDS, "action", "slot", "reference_action", "is_muted")}
     with entries.at_once(system(), rig) as settings:
-        entry = settings.entries.add()
+        entry = lists.add(settings.entries, free_name(settings.entries, source.name))
         source = settings.entries[index]
-        entry.name = free_name(settings.entries, source.name)
         for setting, value in changes.items():
             setattr(entry, setting, value)
         for item in source.mask:
-            made = entry.mask.add()
+            made = lists.add(entry.mask, item.name)
             for setting in _OF_MASK:
                 setattr(made, setting, getattr(item, setting))
         for place in range(len(settings.entries) - 1, index + 1, -1):
@@ -103,7 +102,7 @@ def duplicate(rig, index):
 def exchange(rig, first, second):
     """Exchange two layers in the list, together with the keys of their settings."""
     entry_keys.exchange(rig, LIST, first, second)
-    rig.motus.layers.entries.move(first, second)
+    lists.move(rig.motus.layers.entries, first, second)
 
 
 def move(rig, index, place):
@@ -128,7 +127,7 @@ def remove_from_mask(rig, index, place):
     """Remove the item with index `place` from the mask of a layer."""
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries[index]
-        entry.mask.remove(place)
+        lists.remove(entry.mask, place)
         entry.active_mask = max(0, min(entry.active_mask, len(entry.mask) - 1))
 
 
@@ -147,6 +146,10 @@ def slot_of(rig, action):
 
 def _add_items(entry, items):
     for name, kind, with_children in items:
-        found = next((item for item in entry.mask if (item.name, item.kind) == (name, kind)), None) or entry.mask.add()
-        found.name, found.kind, found.with_children = name, kind, with_children
+        found = next((item for item in entry.mask if (item.name, item.kind) == (name, kind)), None) or lists.add(entry.mask, name)
+        found.kind, found.with_children = kind, with_children
         entry.active_mask = len(entry.mask) - 1
+
+
+def _is_same_item(item, row):
+    return (item.name, item.kind) == (row["name"], row["kind"])

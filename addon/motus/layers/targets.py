@@ -7,9 +7,9 @@ import bpy
 
 from ..core.blender import actions, capabilities
 from ..core.declare import has_settings, registered
-from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..core.settings import lists
 from ..core.translations import tr
 from . import mask
 from .properties import MOST_LAYERS
@@ -116,12 +116,7 @@ def check_room(rig):
 
 def check_free_to_move(rig, index):
     """Refuse to remove or move a layer that an override has from its library."""
-    if index < libraries.count_from_library(rig, LIST):
-        raise Refused(
-            tr("{layer} of {object} is from its library and stays where it is: mute it").format(
-                layer=rig.motus.layers.entries[index].name, object=rig.name
-            )
-        )
+    lists.check_own(rig.motus.layers.entries, [index])
 
 
 def check_editable(rig):

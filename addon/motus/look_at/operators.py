@@ -308,7 +308,6 @@ class MOTUS_OT_look_at_target_remove(OfAHead, bpy.types.Operator):
         index = entry.active_extra_target if self.index < 0 else self.index
         if not 0 <= index < len(entry.extra_targets):
             raise Refused(tr("There is no such target"))
-        targets.check_target_removable(rig, entry, index)
         check_no_tweak_mode(rig)
         setup.remove_target(rig, place, index)
 

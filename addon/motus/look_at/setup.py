@@ -3,7 +3,7 @@
 from ..core.declare import registered
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
-from ..core.settings import entries, entry_keys, targets
+from ..core.settings import entries, entry_keys, lists, targets
 from . import anatomy, facing
 
 DISTANCE = 6.0  # from the head to a new target, in lengths of the head bone
@@ -27,19 +27,19 @@ def add(rig, head, changes, eyes, new_target=None):
     changes: {name: value} of the entry's settings. eyes: names of the eye bones; None keeps the present eyes.
     new_target(rig, entry): makes a target if the entry has none; None leaves the entry without a target.
     """
+    present = rig.motus.look_at.entries.get(head)
+    rows = [{"name": eye} for eye in eyes or ()]
+    if present and eyes is not None:
+        rows = lists.library_first(present.eyes, rows, lists.same_name)
+        lists.check_replaceable(present.eyes, rows, lists.same_name)
     with entries.at_once(system(), rig) as settings:
-        entry = settings.entries.get(head)
-        if entry is None:
-            entry = settings.entries.add()
-            entry.name = head
+        entry = settings.entries.get(head) or lists.add(settings.entries, head)
         for name, value in changes.items():
             setattr(entry, name, value)
         if new_target and pointed(entry, "target") is None:
             entry.target = new_target(rig, entry)
         if eyes is not None:
-            entry.eyes.clear()
-            for eye in eyes:
-                entry.eyes.add().name = eye
+            lists.replace(entry.eyes, rows, is_same=lists.same_name)
         settings.active_entry = settings.entries.find(head)
     return rig.motus.look_at.entries[head]
 
@@ -54,18 +54,19 @@ def remove(rig, index):
 def add_target(rig, entry, target, bone):
     """Give an entry a further target: an object, or None, which the user replaces in the list, and its bone or ""."""
     with entries.at_once(system(), rig):
-        extra = entry.extra_targets.add()
+        extra = lists.add_numbered(entry.extra_targets, "Target")
         extra.object, extra.bone = target, bone
         entry.active_extra_target = len(entry.extra_targets) - 1
 
 
 def remove_target(rig, place, index):
     """Remove the further target at an index, with keys and drivers of its weight, from the entry at a place in the list of heads."""
+    lists.check_own(rig.motus.look_at.entries[place].extra_targets, [index])
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries[place]
         for prefix in entry_keys.prefixes("motus.look_at.entries", settings.entries, place):
             entry_keys.forget(rig, f"{prefix}extra_targets", entry.extra_targets, index)
-        entry.extra_targets.remove(index)
+        lists.remove(entry.extra_targets, index)
         entry.active_extra_target = max(0, min(entry.active_extra_target, len(entry.extra_targets) - 1))
 
 
@@ -73,15 +74,14 @@ def add_lids(rig, entry, lids):
     """Let bones shut as eyelids of a head, by the names in `lids`, each by the turn that shuts its eye; the head blinks then."""
     with entries.at_once(system(), rig):
         for name in lids:
-            lid = entry.lids.add()
-            lid.name, lid.angle = name, anatomy.lid_angle(rig, entry, name)
+            lists.add(entry.lids, name).angle = anatomy.lid_angle(rig, entry, name)
         entry.use_blinks = True
 
 
 def remove_lid(rig, entry, name):
     """Leave the eyelid of a name to its own animation again."""
     with entries.at_once(system(), rig):
-        entry.lids.remove(entry.lids.find(name))
+        lists.remove(entry.lids, entry.lids.find(name))
 
 
 def remove_unneeded(target):

@@ -5,8 +5,8 @@ Errors are raised as Refused, with a sentence for the user.
 
 from ..core import wiring
 from ..core.declare import entries_on, systems
-from ..core.file import libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..core.settings import lists
 from ..core.translations import tr
 from . import anatomy, groups, names
 from .properties import ANY_BODY_LENGTH
@@ -174,18 +174,7 @@ def check_loop(rig, head, driven, target, target_bone):
 
 def check_removable(rig, index):
     """Refuse to remove the entry at an index if the rig is a library override that has the entry from its library."""
-    if index < libraries.count_from_library(rig, "motus.look_at.entries"):
-        raise Refused(
-            tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
-                bone=rig.motus.look_at.entries[index].name, object=rig.name
-            )
-        )
-
-
-def check_target_removable(rig, entry, index):
-    """Refuse to remove the further target at an index if the rig is a library override that has it from its library."""
-    if index < libraries.count_from_library(rig, f"{entry.path_from_id()}.extra_targets"):
-        raise Refused(tr("This target is from the library of {object} and cannot be removed here").format(object=rig.name))
+    lists.check_own(rig.motus.look_at.entries, [index])
 
 
 def check_editable(rig):

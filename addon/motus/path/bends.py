@@ -8,6 +8,7 @@ from ..core.interface.operators import Operator, object_keyword
 from ..core.interface.rows import Rows
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused, check_finite
+from ..core.settings import lists
 from ..core.settings.declared import number
 from ..core.translations import tr
 from . import curves, setup
@@ -47,10 +48,7 @@ class MOTUS_OT_path_speeds_from_bends(Operator, bpy.types.Operator):
         if path.length() == 0.0:
             raise Refused(tr("The path has no length"))
         places, speeds = speeds_in_bends(path, self.top_speed, self.sideways, self.braking)
-        settings.speeds.clear()
-        for place, speed in zip(places, speeds):
-            entry = settings.speeds.add()
-            entry.distance, entry.speed = place, speed
+        lists.replace(settings.speeds, [{"distance": place, "speed": speed} for place, speed in zip(places, speeds)], "Speed")
         settings.active_speed = 0
         settings.timing = 'PLACES'
         wiring.touch(setup.system(), obj)

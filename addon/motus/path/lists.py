@@ -9,6 +9,7 @@ from ..core.interface.operators import OBJECT_MODE, Operator, object_keyword, se
 from ..core.interface.rows import Row, Rows
 from ..core.measures import scene_time
 from ..core.refusals import Refused, check_finite, named
+from ..core.settings import lists
 from ..core.translations import tr
 from . import members, setup, targets
 from .gaps import touching_gaps
@@ -49,10 +50,10 @@ class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
         for name in ("frame", "fraction", "distance"):
             if not self.is_given(name):
                 setattr(self, name, here[name])
-        replaced = _remove_pins(settings, self.frame)
-        pin = settings.pins.add()
-        pin.frame, pin.fraction, pin.distance = self.frame, self.fraction, self.distance
-        settings.active_pin = len(settings.pins) - 1
+        replaced = any(pin.frame == self.frame for pin in settings.pins)
+        settings.active_pin = _only_one(settings.pins, "frame", self.frame, "Pin")
+        pin = settings.pins[settings.active_pin]
+        pin.fraction, pin.distance = self.fraction, self.distance
         settings.timing = 'PINS'
         wiring.touch(setup.system(), obj)
         if replaced:
@@ -78,7 +79,7 @@ class EntryRemover(Operator):
         index = active if self.index < 0 else self.index
         if not 0 <= index < len(entries):
             raise Refused(self.absent())
-        entries.remove(index)
+        lists.remove(entries, index)
         setattr(settings, self.active, max(0, min(active, len(entries) - 1)))
         wiring.touch(setup.system(), obj)
 
@@ -123,11 +124,8 @@ class MOTUS_OT_path_speed_add(Operator, bpy.types.Operator):
         for name in ("distance", "speed"):
             if not self.is_given(name):
                 setattr(self, name, here[name] if here[name] or name == "distance" else settings.speed)
-        for index in reversed([index for index, one in enumerate(settings.speeds) if one.distance == self.distance]):
-            settings.speeds.remove(index)
-        place = settings.speeds.add()
-        place.distance, place.speed = self.distance, self.speed
-        settings.active_speed = len(settings.speeds) - 1
+        settings.active_speed = _only_one(settings.speeds, "distance", self.distance, "Speed")
+        settings.speeds[settings.active_speed].speed = self.speed
         settings.timing = 'PLACES'
         wiring.touch(setup.system(), obj)
 
@@ -242,7 +240,7 @@ class MOTUS_OT_path_wagon_move(WagonOperator, bpy.types.Operator):
             first, second = getattr(entries[index], name), getattr(entries[place], name)
             setattr(entries[index], name, second)
             setattr(entries[place], name, first)
-        entries.move(index, place)
+        lists.move(entries, index, place)
         setup.attach(obj, pointed(settings, "curve"), {}, members.wagons(obj))
         settings.active_wagon = place
 
@@ -301,12 +299,19 @@ def _select_alone(context, obj):
     select_only(context, obj)
 
 
-def _remove_pins(settings, frame):
-    """Remove the pins of a follower at one frame; returns the number of removed pins."""
-    found = [index for index, pin in enumerate(settings.pins) if pin.frame == frame]
-    for index in reversed(found):
-        settings.pins.remove(index)
-    return len(found)
+def _only_one(entries, setting, value, word):
+    """Index of the one entry of a list whose setting, a number, has this value: a new entry, which others with the value give way to.
+
+    An entry with the value that an override has from its library stays, and is the one. word: by which a new entry is called.
+    """
+    found = [index for index, entry in enumerate(entries) if getattr(entry, setting) == value]
+    count = lists.count_from_library(entries)
+    for index in reversed([index for index in found if index >= count]):
+        lists.remove(entries, index)
+    if found and found[0] < count:
+        return found[0]
+    setattr(lists.add_numbered(entries, word), setting, value)
+    return len(entries) - 1
 
 
 def _here_and_now(context, obj):

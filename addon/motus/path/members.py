@@ -6,6 +6,7 @@ from ..core.file import libraries
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
+from ..core.settings import lists
 
 
 class Wagon(NamedTuple):
@@ -76,4 +77,4 @@ def take_out(leader, index):
     if index + 1 < len(entries):
         entries[index + 1].gap += entries[index].gap
         entries[index + 1].delay += entries[index].delay
-    entries.remove(index)
+    lists.remove(entries, index)

@@ -5,6 +5,7 @@ from ..core.blender import actions
 from ..core.declare import registered
 from ..core.declare.forgetting import forget
 from ..core.file.pointers import pointed
+from ..core.settings import lists
 from . import members
 
 PREFIX = "motus.path."
@@ -18,9 +19,12 @@ def system():
 def attach(owner, curve, keywords, wagons=None):
     """Let `owner` follow `curve`.
 
-    keywords: {name: value} of path settings. wagons: list of members.Wagon; None keeps the present wagons.
+    keywords: {name: value} of path settings. wagons: list of members.Wagon; None keeps the present wagons. Raises Refused if an override
+    would lose a wagon that it has from its library.
     """
     settings = owner.motus.path
+    if wagons is not None:
+        lists.check_replaceable(settings.wagons, _rows(wagons), _is_same_wagon)
     if settings.is_active:
         # attach() below adds the constraints and drivers once, instead of after every change of a setting.
         wiring.detach(system(), owner)
@@ -79,8 +83,12 @@ def _replace_wagons(owner, wagons):
         wagon = pointed(entry, "object")
         if wagon and wagon not in kept:
             reset(wagon)
-    entries.clear()
-    for wagon in wagons:
-        entry = entries.add()
-        entry.name = wagon.object.name
-        entry.object, entry.gap, entry.delay, entry.wheelbase = wagon
+    lists.replace(entries, _rows(wagons), is_same=_is_same_wagon)
+
+
+def _rows(wagons):
+    return [{"name": wagon.object.name} | wagon._asdict() for wagon in wagons]
+
+
+def _is_same_wagon(entry, row):
+    return pointed(entry, "object") == row["object"]

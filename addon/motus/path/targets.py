@@ -2,9 +2,9 @@
 
 import bpy
 
-from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_local, check_unbaked, named
+from ..core.settings import lists
 from ..core.translations import tr
 from . import curves, members, solve
 from .properties import EASE_TOLERANCE, KEYWORDS
@@ -111,7 +111,7 @@ def check_editable(obj):
 
 def check_uncouplable(leader, index):
     """Raise Refused if the wagon at `index` came from a library: a library override cannot remove it from the train."""
-    if index < libraries.count_from_library(leader, "motus.path.wagons"):
+    if index < lists.count_from_library(leader.motus.path.wagons):
         raise Refused(
             tr("The wagons of {object} are from its library and cannot be uncoupled here: remove the train").format(object=leader.name)
         )

@@ -14,6 +14,7 @@ from ..core.declare.forgetting import forget
 from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.measures import units
+from ..core.settings import lists
 from . import directions, parts, trail
 
 PREFIX = "motus.pendulum."
@@ -105,8 +106,8 @@ def _add(collection, owner, index, shapes, material, look, bobs):
         rod = _link(collection, f"{owner.name} Rod {suffix}", rod_mesh, parent, material)
         if rod_index == 0:
             rod.location.y = (index - 0.5 * (settings.count - 1)) * look.spacing
-        entry = settings.rods.add()
-        entry.name, entry.number = rod.name, number
+        entry = lists.add(settings.rods, rod.name)
+        entry.number = number
         if bobs:
             _take(entry, bobs[rod_index], rod, owner.matrix_world @ ends[rod_index])
         else:

@@ -18,6 +18,7 @@ from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.scenery import gathered, seen, stillness
 from ..core.scenery.meshes import Placed, faces, hash_of, is_same, joined, placed
+from ..core.settings import lists
 from . import births, flakes
 
 GONE = Problem("The collider is gone: flakes fall on without it", blocking=False)
@@ -136,7 +137,7 @@ def record(emitter, view_layer):
         return False
     kept = helpers.make(NAME, _mesh(*joined([part for _, part in found])))
     for obj, part in found:
-        entry = kept.motus.snow.recorded_of.add()
+        entry = lists.add_numbered(kept.motus.snow.recorded_of, "Collider")
         entry.object, entry.count = obj, len(part.faces.triangles)
     settings.recorded = kept
     _drop(before)

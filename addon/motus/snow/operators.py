@@ -6,13 +6,13 @@ import bpy
 from mathutils import Vector
 
 from ..core import wiring
-from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.interface.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.interface.rows import Rows
 from ..core.interface.view import viewports
 from ..core.measures import scene_time
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named, named_collection, named_mesh
+from ..core.settings import lists
 from ..core.translations import tr
 from . import build, colliders, flakes, presets, rows
 from .properties import FORMER_NAMES, KEYWORDS, FormerKeywords, SnowKeywords
@@ -232,7 +232,7 @@ class MOTUS_OT_snow_stop_add(_OnEmitter, bpy.types.Operator):
         color = tuple(last.color) if last else None
         if last and last.position >= 1.0 and len(stops) > 1:
             last.position = 0.5 * (stops[-2].position + 1.0)
-        stop = stops.add()
+        stop = lists.add_numbered(stops, "Color")
         stop.position = 1.0 if color else 0.0
         if color:
             stop.color = color
@@ -253,9 +253,7 @@ class MOTUS_OT_snow_stop_remove(_OnEmitter, bpy.types.Operator):
         index = self.index if self.index >= 0 else len(stops) - 1
         if not 0 <= index < len(stops):
             raise Refused(tr("The gradient has no such colour"))
-        if index < libraries.count_from_library(emitter, "motus.snow.stops"):
-            raise Refused(tr("The colour is the library's, and cannot be removed"))
-        stops.remove(index)
+        lists.remove(stops, index)
         wiring.touch(build.system(), emitter)
 
 

@@ -4,6 +4,7 @@ import math
 
 from ..core.interface import presets
 from ..core.measures import scene_time
+from ..core.settings import lists
 from .properties import KEYWORDS, WHITE
 
 PLAIN = 'PLAIN'
@@ -174,19 +175,15 @@ def put(settings, identifier, scene):
     """Set an emitter's settings to the values of a preset; settings that the preset does not name get their defaults.
 
     The start frame is set so that flakes are already in the air on the scene's first frame, except for the preset Plain.
-    identifier: of the preset.
+    identifier: of the preset. Raises Refused if an override has more colours from its library than the preset.
     """
+    lists.replace(settings.stops, [{"position": position, "color": color} for position, color in _GRADIENTS[identifier]], "Color")
     numbers = NUMBERS[identifier]
     for name in _of_a_kind(settings):
         _set(settings, name, numbers.get(name, _default(settings.bl_rna.properties[name])))
     if identifier != PLAIN:
         fps = scene_time.fps(scene)
         settings.start_frame = math.floor(scene_time.first(scene)) - math.ceil((settings.lifetime + 1.0) * fps)
-    settings.stops.clear()
-    for position, color in _GRADIENTS[identifier]:
-        stop = settings.stops.add()
-        _set(stop, "position", position)
-        _set(stop, "color", color)
 
 
 def kind_of(settings):

@@ -140,7 +140,7 @@ def bone_renamed(owner, rig, old, new):
     """
     settings = owner.motus.walker
     for leg in settings.legs if rig == owner else ():
-        if leg.name == old:
+        if legs.bone(leg) == old:
             leg.name = new
     if rig == owner and settings.body_bone == old:
         settings.body_bone = new

@@ -31,7 +31,12 @@ class Foot(NamedTuple):
 def label(leg):
     """Name of a leg in the interface: the name of its foot's bone or object; "" if it has none. leg: settings of the leg."""
     foot = pointed(leg, "foot")
-    return leg.name or (foot.name if foot else "")
+    return foot.name if foot else leg.name
+
+
+def bone(leg):
+    """Name of the bone that is a leg's foot; "" if the foot is an object, which the leg was named after. leg: settings of the leg."""
+    return "" if pointed(leg, "foot") else leg.name
 
 
 def feet(owner):
@@ -49,10 +54,10 @@ def feet(owner):
 
 
 def _thing(owner, leg):
-    if leg.name:
-        return owner.pose.bones.get(leg.name) if owner.pose else None
     foot = pointed(leg, "foot")
-    if foot is None or deleted.is_deleted(foot):
+    if foot is None:
+        return owner.pose.bones.get(leg.name) if owner.pose else None
+    if deleted.is_deleted(foot):
         return None
     return foot if libraries.is_free_or_of(foot, leader_of(registered["walker"], foot), owner) else None
 
@@ -62,9 +67,9 @@ def stretches(owner, leg):
 
     owner: object that walks. leg: settings of the leg.
     """
-    foot = owner if leg.name else pointed(leg, "foot")
-    return foot is not None and any(
-        target.original == foot.original and (not leg.name or bone == leg.name) for target, bone in offered("ik").stretching_targets(owner)
+    own, foot = bone(leg), pointed(leg, "foot") or owner
+    return bool(leg.name or foot != owner) and any(
+        target.original == foot.original and (not own or name == own) for target, name in offered("ik").stretching_targets(owner)
     )
 
 

@@ -8,7 +8,7 @@ from ..core.file.pointers import pointed
 from ..core.interface.operators import OBJECT_OR_POSE_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import check_finite, named_collection
 from ..core.translations import tr
-from . import rows, setup, targets
+from . import legs, rows, setup, targets
 from .properties import KEYWORDS, WalkerKeywords
 
 
@@ -85,7 +85,7 @@ class MOTUS_OT_walker_add(FindsValues, WalkerKeywords, GroundKeywords, bpy.types
 
     def _body(self, owner):
         """Return {setting: value} for the body that the operator's property names; {} if it is empty."""
-        feet = [leg.name or pointed(leg, "foot") for leg in owner.motus.walker.legs]
+        feet = [legs.bone(leg) or pointed(leg, "foot") for leg in owner.motus.walker.legs]
         return {"body_bone" if owner.pose else "body": targets.body_for(owner, self.body, feet)} if self.body else {}
 
 

@@ -74,7 +74,7 @@ def draw_legs(layout, context):
     column = layout.column(align=True)
     for leg in settings.legs[:MOST_SHOWN]:
         row = column.row()
-        row.label(text=legs.label(leg), icon='BONE_DATA' if leg.name else 'OBJECT_DATA', translate=False)
+        row.label(text=legs.label(leg), icon='BONE_DATA' if legs.bone(leg) else 'OBJECT_DATA', translate=False)
         if settings.gait == 'OWN':
             row.prop(leg, "phase", text="", slider=True)
     if len(settings.legs) > MOST_SHOWN:

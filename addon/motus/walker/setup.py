@@ -10,7 +10,7 @@ from ..core.blender import actions
 from ..core.declare import has_settings, of_owner, registered
 from ..core.declare.forgetting import forget, says_anything
 from ..core.file.pointers import pointed
-from ..core.settings import entries
+from ..core.settings import entries, lists
 from . import legs
 
 PREFIX = "motus.walker."
@@ -46,20 +46,23 @@ def attach(context, owner, found, body, changes):
     The present places of the feet become their rest positions. A new walker gets lengths that suit its legs, if `changes` does not set
     them. Feet that a walker has already keep their phases, and their steps that were changed by hand.
     found: the legs, as Leg. body: name of the bone, or the Object, that rises and leans; None if there is none.
-    changes: {name: value} of settings.
+    changes: {name: value} of settings. Raises Refused if an override would lose a leg that it has from its library.
     """
     was_active = owner.motus.walker.is_active
-    feet = [(leg.name, pointed(leg, "foot")) for leg in owner.motus.walker.legs]
+    feet = [_foot(leg) for leg in owner.motus.walker.legs]
     phases = {foot: leg.phase for foot, leg in zip(feet, owner.motus.walker.legs)}
+    found = lists.library_first(owner.motus.walker.legs, found, _is_same_leg)
+    lists.check_replaceable(owner.motus.walker.legs, found, _is_same_leg)
     rests = _own_rests(context, owner, found)
     with entries.unwired(owner.motus.walker) as settings:
-        settings.legs.clear()
-        for leg, rest in zip(found, rests):
-            entry = settings.legs.add()
-            entry.name, entry.foot, entry.hip, entry.length = leg.bone, leg.foot, leg.hip, leg.length
+        rows = [
+            {"name": leg.bone or leg.foot.name, "foot": leg.foot, "hip": leg.hip, "length": leg.length, "phase": phases.get(leg[:2], 0.0)}
+            for leg in found
+        ]
+        lists.replace(settings.legs, rows)
+        for entry, rest in zip(settings.legs, rests):
             _set_rest(entry, rest)
-            entry.phase = phases.get((leg.bone, leg.foot), 0.0)
-        _move_steps(settings.steps, feet, [(leg.bone, leg.foot) for leg in found])
+        _move_steps(settings.steps, feet, [leg[:2] for leg in found])
         if owner.pose:
             settings.body_bone = body or ""
         else:
@@ -74,8 +77,17 @@ def _move_steps(steps, before, after):
         foot = before[steps[index].leg] if steps[index].leg < len(before) else None
         if foot in after:
             steps[index].leg = after.index(foot)
-        else:
-            steps.remove(index)
+        elif index >= lists.count_from_library(steps):
+            lists.remove(steps, index)
+
+
+def _foot(leg):
+    """(name of the bone, Object) that is the foot of a leg in the settings, as the first two fields of Leg are."""
+    return legs.bone(leg), pointed(leg, "foot")
+
+
+def _is_same_leg(entry, leg):
+    return _foot(entry) == leg[:2]
 
 
 def _forget_others():
@@ -136,7 +148,8 @@ def take_rests(context, owner):
     """Set the rest positions of a walker's feet to their present places by their own transforms; returns the number of feet."""
     entries_of = owner.motus.walker.legs
     feet = legs.feet(owner)
-    found = [Leg(entries_of[foot.index].name, pointed(entries_of[foot.index], "foot"), Vector(), 0.0) for foot in feet]
+    named = [_foot(entries_of[foot.index]) for foot in feet]
+    found = [Leg(bone, foot, Vector(), 0.0) for bone, foot in named]
     for foot, rest in zip(feet, _own_rests(context, owner, found)):
         _set_rest(owner.motus.walker.legs[foot.index], rest)
     return len(feet)

@@ -93,7 +93,7 @@ def legs_again(context, owner, is_named):
     if len(present) == len(settings.legs):
         return None
     kept = [settings.legs[foot.index] for foot in present]
-    return [setup.Leg(leg.name, pointed(leg, "foot"), leg.hip.copy(), leg.length) for leg in kept]
+    return [setup.Leg(legs.bone(leg), pointed(leg, "foot"), leg.hip.copy(), leg.length) for leg in kept]
 
 
 def _legs_of_objects(feet):

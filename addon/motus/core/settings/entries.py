@@ -10,7 +10,7 @@ from ..blender import actions
 from ..declare import of_owner
 from ..declare.forgetting import forget
 from ..lazy import numpy as np
-from . import entry_keys
+from . import entry_keys, lists
 
 
 def wire(system, owner, name="entries"):
@@ -78,13 +78,15 @@ def remove(system, owner, indices, active):
     """Remove entries from a system's list on an owner, with keys and drivers of the entries' settings, and wire the owner again.
 
     To wire an owner means to update the drivers and constraints that the system needs. With the last entry the system's settings are
-    removed too. indices: of the entries. active: name of the property that holds the index of the selected entry.
+    removed too. indices: of the entries. active: name of the property that holds the index of the selected entry. Raises Refused if an
+    override has one of the entries from its library.
     """
     prefix = f"motus.{system.name}."
+    lists.check_own(of_owner(system, owner).entries, indices)
     with at_once(system, owner) as settings:
         for index in sorted(indices, reverse=True):
             entry_keys.forget(owner, prefix + "entries", settings.entries, index)
-            settings.entries.remove(index)
+            lists.remove(settings.entries, index)
         setattr(settings, active, max(0, min(getattr(settings, active), len(settings.entries) - 1)))
         if not settings.entries:
             actions.remove(owner, (prefix,))

@@ -6,6 +6,7 @@ Target number 0 is the chain's target; numbers from 1 on are its further targets
 from ...core.blender import actions
 from ...core.file.pointers import pointed
 from ...core.refusals import Refused
+from ...core.settings import lists
 from ...core.translations import tr
 from .. import chains, setup
 from ..goals import blend_targets, controls
@@ -49,9 +50,10 @@ def place_next(entry, number, goal):
     extras = entry.extra_targets
     if number < len(extras) and (pointed(extras[number], "object"), extras[number].bone) == goal:
         return False
-    extra = extras.add()
+    lists.check_own(extras, [number])
+    extra = lists.add_numbered(extras, "Target")
     extra.object, extra.bone = goal
-    extras.move(len(extras) - 1, number)
+    lists.move(extras, len(extras) - 1, number)
     entry.active_extra_target = number
     return len(extras) - 1 > number
 

@@ -12,6 +12,7 @@ from ...core import wiring
 from ...core.declare import System, of_owner, registered
 from ...core.file.pointers import pointed
 from ...core.refusals import Refused
+from ...core.settings import lists
 from ...core.translations import tr
 from .. import chains, setup
 from . import blend_keys
@@ -211,7 +212,7 @@ def _loops(rig):
 def _take_back(rig, entry, added, expression, name):
     with setup.at_once(rig):
         if added >= 0:
-            entry.extra_targets.remove(added)
+            lists.remove(entry.extra_targets, added)
         curve = driver_of(rig, entry)
         if not expression:
             _remove_driver(rig, curve)

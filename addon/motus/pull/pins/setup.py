@@ -4,10 +4,9 @@ import bpy
 
 from ...core import wiring
 from ...core.declare import registered
-from ...core.file import libraries
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
-from ...core.settings import entries
+from ...core.settings import entries, lists
 from ...core.translations import tr
 from ..mesh import arrays
 from . import binding, keys
@@ -67,8 +66,7 @@ def check_rooted(pin):
 
 def _append(obj, name, values):
     settings = obj.motus.pull
-    pin = settings.pins.add()
-    pin.name = _free_name(settings, name)
+    pin = lists.add(settings.pins, _free_name(settings, name))
     # Assign all settings: foreach_get() on the list is slow for values that were never set.
     for field in [one.identifier for one in pin.bl_rna.properties if one.is_runtime and one.identifier != "name"]:
         setattr(pin, field, values.get(field, getattr(pin, field)))
@@ -93,12 +91,11 @@ def remove(obj, indices):
     pin is from a library.
     """
     settings = obj.motus.pull
-    if min(indices) < libraries.count_from_library(obj, "motus.pull.pins"):
-        raise Refused(tr("A pin of {object} is from its library and cannot be removed here: mute it").format(object=obj.name))
+    lists.check_own(settings.pins, indices)
     left = [index for index in range(len(settings.pins)) if index not in indices]
     _follow(obj, left)
     for index in sorted(indices, reverse=True):
-        settings.pins.remove(index)
+        lists.remove(settings.pins, index)
     settings.active_pin = max(0, min(settings.active_pin, len(settings.pins) - 1))
     kept = _pins_of_mesh(obj.data)
     binding.unmark(obj.data, {pin.anchor for pin in kept})
@@ -113,7 +110,7 @@ def reorder(obj, index, place):
     settings = obj.motus.pull
     order = list(range(len(settings.pins)))
     order.insert(place, order.pop(index))
-    settings.pins.move(index, place)
+    lists.move(settings.pins, index, place)
     _follow(obj, order)
     settings.active_pin = place
     wiring.touch(system(), obj)

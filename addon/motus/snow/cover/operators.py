@@ -4,13 +4,13 @@ import bpy
 
 from ...core import wiring
 from ...core.declare import Problem, is_owner
-from ...core.file import libraries
 from ...core.file.pointers import pointed
 from ...core.interface.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ...core.interface.over_frames import Job
 from ...core.interface.rows import Rows
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
 from ...core.scenery import gathered
+from ...core.settings import lists
 from ...core.translations import tr
 from .. import colliders
 from . import build, rows, sources, work
@@ -68,7 +68,7 @@ class MOTUS_OT_snow_cover_add(FindsValues, SnowCoverKeywords, bpy.types.Operator
         settings.collection = collection
         for entries, objects in ((settings.surfaces, surfaces), (settings.emitters, emitters), (settings.movers, movers)):
             for obj in objects:
-                entries.add().object = obj
+                lists.add_numbered(entries, "Object").object = obj
         if self.lands:
             _let_land(emitters, surfaces, collection)
         build.wire(cover)
@@ -145,7 +145,7 @@ def _let_land(emitters, surfaces, collection):
         snow.colliders = collection
         snow.collider = surfaces[0] if surfaces else None
         for surface in surfaces[1:]:
-            snow.more_colliders.add().object = surface
+            lists.add_numbered(snow.more_colliders, "Collider").object = surface
 
 
 def cover_for(context, name):
@@ -249,7 +249,7 @@ class MOTUS_OT_snow_cover_entry_add(_InList, bpy.types.Operator):
         if not found:
             raise Refused(tr("Nothing is selected that is not in the list"))
         for obj in found:
-            entries.add().object = obj
+            lists.add_numbered(entries, "Object").object = obj
         build.settle(cover)
 
 
@@ -268,9 +268,7 @@ class MOTUS_OT_snow_cover_entry_remove(_InList, bpy.types.Operator):
         index = self.index if self.index >= 0 else len(entries) - 1
         if not 0 <= index < len(entries):
             raise Refused(tr("The list has no such object"))
-        if index < libraries.count_from_library(cover, f"motus.snow_cover.{self.what.lower()}"):
-            raise Refused(tr("The object is in the library's list, and cannot be removed"))
-        entries.remove(index)
+        lists.remove(entries, index)
         wiring.touch(build.system(), cover)
         build.settle(cover)
 

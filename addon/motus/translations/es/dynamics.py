@@ -101,7 +101,6 @@ INTERFACE = {
     "Dynamics added to {count} objects": "Dinámica agregada a {count} objetos",
     "What {bone} hangs on moves with it": "Aquello de lo que cuelga {bone} se mueve con él",
     "{object} is driven by {system} already: let a child of it follow": "{object} ya está controlado por {system}: haz que lo siga un hijo suyo",
-    "{object} has these dynamics from its library, so that they cannot be removed here: mute them": "{object} tiene esta dinámica de su biblioteca, así que no se puede quitar aquí: silénciala",
     "Some of the followed motion cannot be read from keys: record it": "Parte del movimiento seguido no se puede leer de las claves: grábalo",
     "A rotation does not come back to where its loop began": "Una rotación no vuelve adonde empezó su bucle",
     "Some of what is followed is not known on other frames, and cannot be recorded": "Parte de lo que se sigue no se conoce en otros fotogramas y no se puede grabar",

@@ -97,7 +97,6 @@ INTERFACE = {
     "There is no slot {slot}": "No existe la ranura {slot}",
     "{object} has no bone collection {collection}": "{object} no tiene la colección de huesos {collection}",
     "{object} has {count} layers already: flatten some first": "{object} ya tiene {count} capas: aplana primero algunas",
-    "{layer} of {object} is from its library and stays where it is: mute it": "{layer} de {object} es de su biblioteca y se queda donde está: siléncialo",
     "{object} has the layer {layer}": "{object} tiene la capa {layer}",
     "Removed the layer {layer} of {object}": "Se quitó la capa {layer} de {object}",
     "The layer is at the end of the list already": "La capa ya está al final de la lista",

@@ -210,7 +210,6 @@ INTERFACE = {
     "Square": "Cuadrado",
     "Steering": "Deriva",
     "Take the snow away, with the emitter that was made for it": "Quita la nieve, con el emisor que se creó para ella",
-    "The colour is the library's, and cannot be removed": "El color es de la biblioteca, y no se puede quitar",
     "The emitter has a scale of 0, and can show no flakes": "El emisor tiene una escala de 0, y no puede mostrar copos",
     "The emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it": "El movimiento del emisor no se conoce de antemano, y los copos nacen donde está ahora: grábalo, o ponle claves",
     "The gradient has no such colour": "El degradado no tiene ese color",

@@ -80,7 +80,6 @@ INTERFACE = {
     "The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces": "El manto tendría más de 2 millones de vértices: elige una resolución más gruesa, o menos superficies",
     "Snow spreads less far than Smoothing says, as the layer has so many vertices: choose a coarser resolution": "La nieve se extiende menos de lo que dice Suavizado, porque el manto tiene muchos vértices: elige una resolución más gruesa",
     "The list has no such object": "La lista no tiene ese objeto",
-    "The object is in the library's list, and cannot be removed": "El objeto está en la lista de la biblioteca y no se puede quitar",
     "There is nothing to calculate": "No hay nada que calcular",
     "Thinnest": "Espesor mínimo",
     "This is no snow cover": "Esto no es un manto de nieve",

@@ -185,7 +185,6 @@ INTERFACE = {
     "No step of {object} was changed": "No se ha cambiado ningún paso de {object}",
     "{object} has no such step": "{object} no tiene ese paso",
     "{object} has no foot {foot}": "{object} no tiene ningún pie {foot}",
-    "This step is from the library of {object}, and cannot be removed here": "Este paso es de la biblioteca de {object}, y no se puede quitar aquí",
     "Add an object with a mark for each step of a walker, as it is planned now; each mark shows from when the foot touches the ground on": "Agrega un objeto con una marca por cada paso de un caminante, tal como está planeado ahora; cada marca se ve desde que el pie toca el suelo",
     "Length of a mark; 0 takes that of the soles, or a part of the stride": "Longitud de una marca; 0 toma la de las suelas, o una parte de la zancada",
     "Width of a mark; 0 takes a part of the length": "Anchura de una marca; 0 toma una parte de la longitud",

@@ -10,10 +10,10 @@ from mathutils import Matrix, Quaternion, Vector
 
 from ...core import wiring
 from ...core.declare import Problem
-from ...core.file import libraries
 from ...core.lazy import numpy as np
 from ...core.measures import axes, scene_time
 from ...core.refusals import Refused
+from ...core.settings import lists
 from ...core.translations import tr
 from .. import carrier, legs, plan, setup, told
 
@@ -147,7 +147,7 @@ class Edit:
         entries = self._owner.motus.walker.steps
         if self._index < 0:
             self._index = len(entries)
-            made = entries.add()
+            made = lists.add_numbered(entries, "Step")
             made.leg, made.frame = self._step.leg, self._frame
         if self._index >= len(entries):
             raise ReferenceError(f"{self._owner.name} has no such step any more")
@@ -229,7 +229,5 @@ def entry_at(owner, index):
 
 def remove(owner, index):
     """Remove the entry of a chosen step, which is planned again then. Raises Refused if the entry is from a library."""
-    if index < libraries.count_from_library(owner, "motus.walker.steps"):
-        raise Refused(tr("This step is from the library of {object}, and cannot be removed here").format(object=owner.name))
-    owner.motus.walker.steps.remove(index)
+    lists.remove(owner.motus.walker.steps, index)
     wiring.touch(setup.system(), owner)

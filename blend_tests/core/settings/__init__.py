@@ -1,0 +1,1 @@
+"""Tests of what all systems keep with their owners."""
