@@ -153,10 +153,10 @@ class Planner {
     Reach reach_;
     SoleFrame soles_;
     Executor executor_;
-    std::vector<glm::dvec3> hips_;                     ///< the settings', or the middle of all feet for each leg
-    std::vector<Footfalls> falls_;                     ///< by row()
-    std::vector<std::vector<std::size_t>> chosen_;     ///< by row(): indices in WalkSettings::chosen, rising
-    std::vector<Moments> moments_;                     ///< of each of WalkSettings::chosen
+    std::vector<glm::dvec3> hips_;                  ///< the settings', or the middle of all feet for each leg
+    std::vector<Footfalls> falls_;                  ///< by row()
+    std::vector<std::vector<std::size_t>> chosen_;  ///< by row(): indices in WalkSettings::chosen, rising
+    std::vector<Moments> moments_;                  ///< of each of WalkSettings::chosen
     std::vector<std::vector<std::size_t>> uncertain_;  ///< by row(): what choose() has returned
     std::vector<Correction> corrections_{};            ///< at samples
 };

@@ -214,7 +214,8 @@ TEST_CASE("moments that cannot be are told, and left out", "[timed]") {
                    {timed(step, std::nullopt, next.touch), timed(next, std::nullopt, std::nullopt)}) ==
           Troubles{Trouble::no_touch});
     // A chosen step without times is left out if the foot still stands where it stood before.
-    const ChosenStep moved{leg, next.middle, {0.1, 0.0, 0.0}}, held = timed(step, std::nullopt, next.middle + 2.0);
+    const ChosenStep moved{leg, next.middle, {0.1, 0.0, 0.0}},
+        held = timed(step, std::nullopt, next.middle + 2.0);
     CHECK(troubles({moved}).empty());
     CHECK(troubles({held, moved}) == Troubles{Trouble::left_out});
     CHECK(std::ranges::equal(walking({held, moved}).steps(leg), walking({held}).steps(leg), is_same));

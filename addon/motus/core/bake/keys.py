@@ -165,7 +165,7 @@ def _get(holder, key, kind):
 
 def _is_channel(path, numbers):
     match = _CHANNEL_PATH.fullmatch(path)
-    return bool(match) and stored.fits(numbers, (float,) * CHANNELS[match["channel"]])
+    return match is not None and stored.fits(numbers, (float,) * CHANNELS[match["channel"]])
 
 
 def _is_driver(place):

@@ -34,8 +34,8 @@ struct Way {
     /// m, most that the body moves while a foot stands, [1e-6, 1e6]. From touch to touch it moves 1 / duty of
     /// that, which is natural_stride().
     double stride = 0.5;
-    double cadence = 1.0;           ///< cycles a second when the body moves slowly or rests, [1e-3, 1e3]
-    glm::dvec3 up{0.0, 0.0, 1.0};   ///< in the body's space, not 0
+    double cadence = 1.0;          ///< cycles a second when the body moves slowly or rests, [1e-3, 1e3]
+    glm::dvec3 up{0.0, 0.0, 1.0};  ///< in the body's space, not 0
     /// Rising indices of samples to which the body jumps; until then it keeps its place.
     std::vector<std::size_t> resets;
     /// m, > 0: the body also jumps if a foot's rest place moves further from one sample to the next. None: 4
