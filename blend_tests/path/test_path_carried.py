@@ -216,6 +216,23 @@ class Metres(PathTestCase):
                 wanted = self.place(car, frame)
                 self.assertPlace(car, wanted, frame + 24.0 * 3.0 * lap, 1e-5)
 
+    def test_a_speed_on_a_later_lap(self):
+        """Added where the object is; given beyond the path it is left out, and told of."""
+        self.line(20.0)
+        for extend, frames in (('LOOP', 240.0), ('PING_PONG', 204.0)):
+            with self.subTest(extend=extend):
+                car = self.follow(timing='SPEED', speed=3.0, start_frame=1.0, extend=extend)
+                car.motus.path.speeds.clear()
+                place = self.place(car, 1.0 + frames)[0]
+                self.assertEqual(bpy.ops.motus.path_speed_add(object="Car", speed=5.0), {'FINISHED'})
+                self.assertAlmostEqual(car.motus.path.speeds[0].distance, place, places=4)
+                self.assertIsNone(self.sentence(car))
+                bpy.ops.motus.path_speed_add(object="Car", distance=20.5, speed=1.0)
+                self.assertIn("left out", self.sentence(car))
+                wanted = self.place(car, 30)
+                car.motus.path.speeds.remove(1)
+                self.assertPlace(car, wanted, 30)
+
     def test_speeds_from_bends(self):
         self.bezier(circle_knots(20.0), cyclic=True)
         car = self.follow(extend='LOOP')

@@ -11,7 +11,7 @@ from ..core.measures import scene_time
 from ..core.refusals import Refused, check_finite, named
 from ..core.settings import lists
 from ..core.translations import tr
-from . import members, setup, targets
+from . import members, motion, setup, targets
 from .gaps import touching_gaps
 from .operators import follower_for
 from .properties import DEFAULT_DELAY, SLOWEST
@@ -120,6 +120,7 @@ class MOTUS_OT_path_speed_add(Operator, bpy.types.Operator):
     def run(self, context):
         obj = follower_for(context, self.object)
         settings, here = obj.motus.path, _here_and_now(context, obj)
+        here["distance"] = motion.place_on_path(settings, here["distance"], here["length"])
         check_finite(self, ("distance", "speed"))
         for name in ("distance", "speed"):
             if not self.is_given(name):
@@ -320,6 +321,7 @@ def _here_and_now(context, obj):
     speed = abs(wiring.output(setup.system(), obj, "speed", depsgraph) or 0.0)
     return {
         "distance": distance,
+        "length": length,
         "speed": speed,
         "fraction": distance / length if length else 0.0,
         "frame": scene_time.present(context.scene),

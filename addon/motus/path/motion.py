@@ -23,6 +23,7 @@ DISTANCE_IN_STRIPS = Problem("The distance is animated in NLA strips, so the spe
 PAST_UNKNOWN = Problem("The distance is driven or animated in NLA strips, so its past is not known: gaps by time have no effect", False)
 NO_SPEEDS = Problem("Add a speed: a place on the path and the speed there")
 SAME_PLACE = Problem("Two speeds are at the same place: the later one in the list counts", False)
+OFF_PATH = Problem("A speed is at a place before or beyond the path, which repeats: it is left out", False)
 NOT_FINITE = Problem("A setting is not a finite number")
 PROBLEMS = (
     NO_PINS,
@@ -34,6 +35,7 @@ PROBLEMS = (
     PAST_UNKNOWN,
     NO_SPEEDS,
     SAME_PLACE,
+    OFF_PATH,
     NOT_FINITE,
 )
 
@@ -143,6 +145,15 @@ def _by_speed(context, numbers, _length, past, delays):
     return Motion(timing, times[-1], offset, start=0.0, behind=behind)
 
 
+def place_on_path(settings, distance, length):
+    """Return the place on the path, from 0 to its length, to which a distance leads on a path that repeats; else the distance."""
+    lap = LAPS.get(chosen(settings, "extend"), 0) * length
+    if not lap:
+        return distance
+    place = distance % lap
+    return min(place, lap - place) if lap > length else place
+
+
 def _by_places(context, numbers, length, _past, _delays):
     settings = context.settings
     found = {one.distance: max(one.speed, SLOWEST) for one in settings.speeds}
@@ -152,13 +163,17 @@ def _by_places(context, numbers, length, _past, _delays):
         return NOT_FINITE
     lap = LAPS.get(chosen(settings, "extend"), 0) * length
     places = sorted(found.items())
+    problem = SAME_PLACE if len(found) < len(settings.speeds) else None
     if lap:
-        places = [(place, speed) for place, speed in places if 0.0 <= place <= length] or places[:1]
+        end = length * (1.0 + 1e-6)  # the settings are in single precision
+        on_path = [(min(place, length), speed) for place, speed in places if 0.0 <= place <= end]
+        if len(on_path) < len(places):
+            problem = OFF_PATH
+        places = on_path or places[:1]
     if lap > length:  # back along the same places
         places += [(lap - place, speed) for place, speed in reversed(places) if lap - place > places[-1][0]]
     distances, speeds = np.array(places).T
     timing = native.module.Timing.speeds_by_distance(distances - numbers["offset"], speeds, lap or None)
-    problem = SAME_PLACE if len(found) < len(settings.speeds) else None
     return Motion(timing, _since_start(context, numbers), problem=problem, clock={"start_frame": numbers["start_frame"]}, start=0.0)
 
 

@@ -384,6 +384,7 @@ INTERFACE = {
     "Index of the speed; -1 is the active one": "Índice de la velocidad; -1 es la activa",
     "There is no such speed": "No existe esa velocidad",
     "Two speeds are at the same place: the later one in the list counts": "Hay dos velocidades en el mismo lugar: cuenta la que está más abajo en la lista",
+    "A speed is at a place before or beyond the path, which repeats: it is left out": "Una velocidad está antes o más allá de la trayectoria, que se repite: no cuenta",
     "Replace the list of speeds by ones that are low in the bends of the path": "Sustituir la lista de velocidades por otras que son bajas en las curvas de la trayectoria",
     "Top Speed": "Velocidad máxima",
     "Speed where the path is straight": "Velocidad donde la trayectoria es recta",

@@ -6,6 +6,7 @@ are edited. The objects that the owners' settings point to are the same for all 
 """
 
 import json
+import math
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -100,7 +101,17 @@ def _parsed(system, text):
     return Row(said["name"], _namespace(settings), _completed(rna, inputs, said["inputs"]), None if data is None else np.array(data), {})
 
 
-_FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value) <= stored.LARGEST_NUMBER, 'BOOLEAN': bool, 'STRING': str}
+def _is_float(value):
+    # Of a setting that is infinite, which Blender stores as a large number, solve() tells; the row is not damaged by it.
+    return stored.fits(value, float) or (type(value) is float and math.isfinite(value))
+
+
+_FORMS = {
+    'FLOAT': _is_float,
+    'INT': lambda value: type(value) is int and abs(value) <= stored.LARGEST_NUMBER,
+    'BOOLEAN': bool,
+    'STRING': str,
+}
 
 
 def _completed(rna, names, values):
