@@ -310,6 +310,25 @@ class TestLeaving(LiveFile):
         self.assertEqual(hub_meshes(), [])
         self.assertEqual([obj.name for obj in helpers()], [])
 
+    def test_owner_whose_hub_a_script_has_removed(self):
+        self.open()
+        bpy.data.objects.remove(bpy.data.objects["Parcel"])
+        self.delete("Arm")
+        self.assertNotIn("Arm", bpy.data.objects)
+
+    def test_an_artists_object_with_the_mesh_of_a_hub_stays(self):
+        """As a script or the list of meshes can bring about."""
+        self.open()
+        hub = next(obj for obj in helpers() if obj.data in hub_meshes() and obj.data["motus_owner"] == bpy.data.objects["Parcel"])
+        obj, mesh = bpy.data.objects.new("Mine", hub.data), hub.data
+        bpy.context.scene.collection.objects.link(obj)
+        bpy.context.view_layer.update()
+        bpy.ops.motus.dynamics_remove(object="Parcel")
+        self.assertEqual(bpy.data.objects["Mine"].data, mesh)
+        self.assertNotIn(mesh, hub_meshes())
+        self.assertEqual([key for key in mesh.keys() if key.startswith("motus_")], [])
+        self.assertFalse(mesh.use_fake_user)
+
     def test_undo(self):
         self.open()
         bpy.ops.ed.undo_push(message="before")

@@ -128,6 +128,7 @@ class RestOfALattice(support.SceneTestCase):
         self.ball = lattice_cases.ball()
         bpy.ops.motus.lattice_fit(objects="Ball", margin=0.2)
         self.lattice = bpy.context.object
+        self.lattice_name = self.lattice.name
         self.regular = lattice_cases.points_of(self.lattice)
         lattice_cases.displace(self.lattice, 0.08)
         bpy.ops.motus.lattice_rest(object="Ball")
@@ -164,11 +165,26 @@ class RestOfALattice(support.SceneTestCase):
             self.assertNotIn("motus_rest", lattice.data)
 
     def test_shape_key(self):
-        for _ball, lattice in self.each(lambda ball, _lattice: ball.data):
+        def mesh_of(ball, _lattice):
+            del ball.data["motus_rest_places"]  # by which the key would be found
+            return ball.data
+
+        for _ball, lattice in self.each(mesh_of):
             self.assertEqual(bpy.ops.motus.lattice_reset(object=lattice.name), {'FINISHED'})
             self.assertEqual(bpy.ops.motus.lattice_rest(object=lattice.name), {'FINISHED'})
             self.assertNotIn("does not fit any more", self.said(lattice))
             self.assertEqual(bpy.ops.motus.lattice_remove(objects="Ball"), {'FINISHED'})
+
+    def test_places_of_the_shape_key(self):
+        """By which it is found when it was renamed."""
+        for number in range(COUNT):
+            bpy.ops.wm.open_mainfile(filepath=self.path)
+            mesh, lattice = bpy.data.objects["Ball"].data, bpy.data.objects[self.lattice_name]
+            mesh.shape_keys.key_blocks[mesh["motus_rest"]].name = "Mine"
+            self.assertNotIn("does not fit any more", self.said(lattice))
+            if put(mesh, "motus_rest_places", values("")[number]):
+                with self.subTest(number=number):
+                    self.assertIn("does not fit any more", self.said(lattice))
 
 
 class OfOneSystem(chroma_setup_cases.SetUpTestCase):

@@ -176,9 +176,9 @@ class WalkerTest(unittest.TestCase):
         self.assertEqual(timed.problems, [(2, touch - 1.0, touch - 1.0, "no_lift")])
         timed = walker(chosen=[(2, time, (0.0, 0.0, 0.0), 0.0, None, -9.0, None)])
         self.assertEqual(timed.problems, [(2, -9.0, -9.0, "no_touch")])
-        held, after = planned["lift"][row + 2], planned["middle"][row + 1]
-        timed = walker(chosen=[(2, time, (0.0, 0.0, 0.0), 0.0, None, None, held), (2, after, (0.1, 0.0, 0.0), 0.0, None, None, None)])
-        self.assertEqual(timed.problems, [(2, after, after, "left_out")])
+        before, held = planned["middle"][row - 1], planned["lift"][row + 1]
+        timed = walker(chosen=[(2, before, (0.0, 0.0, 0.0), 0.0, None, None, held), (2, time, (0.1, 0.0, 0.0), 0.0, None, None, None)])
+        self.assertEqual(timed.problems, [(2, time, time, "left_out")])
         for wrong in (
             7,
             [7],

@@ -40,14 +40,15 @@ def remove_deleted():
     deleted owner is, drives the property from now on.
     """
     owners = _deleted_owners()
-    unneeded = _unneeded(owners) if owners else ()
-    abandoned = [mesh for mesh in bpy.data.meshes if not mesh.library and outbox.is_hub(mesh) and sharing.is_abandoned(mesh)]
-    is_free = _free_properties([*(obj.data for obj in unneeded if _is_hub(obj)), *abandoned])
-    for obj in unneeded:
-        if _is_hub(obj):
-            bpy.data.meshes.remove(obj.data)
-        else:
-            bpy.data.objects.remove(obj)
+    unneeded = _unneeded(owners) if owners else set()
+    others = [obj for obj in unneeded if not _is_hub(obj)]
+    hubs = {obj.data for obj in unneeded if _is_hub(obj)}
+    abandoned = {mesh for mesh in bpy.data.meshes if not mesh.library and outbox.is_hub(mesh) and sharing.is_abandoned(mesh)} - hubs
+    is_free = _free_properties([*hubs, *abandoned])
+    for obj in others:
+        bpy.data.objects.remove(obj)
+    for mesh in hubs:
+        hub_lookup.remove(mesh)
     for mesh in abandoned:
         hub_lookup.unprotect(mesh)
     for system in systems():

@@ -345,7 +345,7 @@ def _discard(rig):
     """Remove a rig that is in no collection, together with its hubs and proxies (hidden helper objects that only the rig uses)."""
     for system in systems():
         for part in [part for part in sharing.parts(system, rig) if part.is_own]:
-            bpy.data.meshes.remove(part.mesh)
+            hub_lookup.remove(part.mesh)
         proxy_sink.release(of_owner(system, rig))
     bpy.data.objects.remove(rig)
 

@@ -53,6 +53,25 @@ def new_hub(*names):
     return hub
 
 
+def remove(mesh):
+    """Remove a hub from the file: mesh and object. mesh: the hub's mesh.
+
+    Blender removes each object whose mesh is removed. If an object that is no helper has got the mesh, by a script or by its list of meshes,
+    that object keeps it as an ordinary mesh.
+    """
+    users = [obj for obj in bpy.data.objects if obj.data == mesh]
+    if all(map(helpers.is_helper, users)):
+        bpy.data.meshes.remove(mesh)
+        return
+    for obj in users:
+        if helpers.is_helper(obj):
+            bpy.data.objects.remove(obj)
+    mesh.animation_data_clear()
+    for key in [key for key in mesh.keys() if key.startswith(helpers.PREFIX)]:
+        del mesh[key]
+    unprotect(mesh)
+
+
 def is_protected(mesh):
     """Whether the recursive purge of unused data (File > Clean Up) leaves a hub alone. mesh: the hub's mesh."""
     return mesh.use_fake_user

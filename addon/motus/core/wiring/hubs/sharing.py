@@ -259,7 +259,7 @@ def leave(system, mesh):
     if outbox.is_shared(system, mesh):
         prune(system, mesh)
     else:
-        bpy.data.meshes.remove(mesh)
+        hub_lookup.remove(mesh)
 
 
 def _hub_for(system, owner):
@@ -334,4 +334,4 @@ def prune(system, mesh):
             del mesh[rows.key(system, row)]
             mesh.update_tag()
     if not taken:
-        bpy.data.meshes.remove(mesh)
+        hub_lookup.remove(mesh)

@@ -135,7 +135,7 @@ def release(system, *objects):
             of_owner(system, obj).leader = None
     for mesh in {carrier for _, _, carrier, _ in found}:
         if isinstance(mesh, bpy.types.Mesh) and mesh.get(outbox.OWNER_KEY) is None and not _is_read(system, mesh):
-            bpy.data.meshes.remove(mesh)
+            hub_lookup.remove(mesh)
 
 
 def makers(system, obj):
