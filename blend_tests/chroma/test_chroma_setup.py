@@ -425,7 +425,7 @@ class SetUp(SetUpTestCase):
         noted = bpy.context.scene.motus.chroma
         self.assertTrue(np.isfinite([noted.share, noted.luminance_spread, noted.chroma_spread, noted.spill]).all())
         self.assertGreater(noted.share, 0.5)
-        key.inputs["Key Balance"].default_value = 0.0
+        key.inputs["Balance"].default_value = 0.0
         with self.assertRaisesRegex(RuntimeError, "as green as it is blue"):
             bpy.ops.motus.chroma_key_measure()
         # A key by such a colour makes nothing transparent: the further key is for the same screen.
