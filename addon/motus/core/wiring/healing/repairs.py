@@ -279,11 +279,9 @@ def _with_drawn_curves(event):
 def _unprotected(event):
     if event.depsgraph is not None and not _has_new_objects(event):
         return []
-    return [
-        mesh
-        for mesh in bpy.data.meshes
-        if outbox.is_hub(mesh) and not mesh.library and not hub_lookup.is_protected(mesh) and not sharing.is_abandoned(mesh)
-    ]
+    # Hubs that Blender has overridden along with their owner are nobody's: the override gets a hub of its own.
+    ours = [mesh for mesh in bpy.data.meshes if outbox.is_hub(mesh) and not mesh.library and not mesh.override_library]
+    return [mesh for mesh in ours if not hub_lookup.is_protected(mesh) and not sharing.is_abandoned(mesh)]
 
 
 def _protect_each(meshes, _event):
