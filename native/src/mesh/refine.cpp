@@ -21,7 +21,8 @@ constexpr int none = -1;
 
 /// The middle of an edge: its ends' sum alone may be beyond single precision.
 [[nodiscard]] glm::vec3 middle_of(const glm::vec3& a, const glm::vec3& b) {
-    return glm::vec3(0.5 * (glm::dvec3(a) + glm::dvec3(b)));
+    const auto half = [](float one, float other) { return static_cast<float>(0.5 * (double(one) + other)); };
+    return {half(a.x, b.x), half(a.y, b.y), half(a.z, b.z)};
 }
 
 /// One round, in which each long edge is halved once.

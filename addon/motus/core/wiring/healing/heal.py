@@ -5,6 +5,7 @@ detect the changes (watch.py). Repairs are made when Blender has finished the ev
 """
 
 import logging
+from types import SimpleNamespace
 
 import bpy
 from bpy.app.handlers import persistent
@@ -17,8 +18,8 @@ from .watch import noticed
 
 log = logging.getLogger(__name__)
 
-_is_healing = []
-"""The moment of the repairs that are going on; empty otherwise."""
+_now = SimpleNamespace(is_healing=False)
+"""Whether repairs are going on."""
 
 
 def heal(moment, depsgraph=None):
@@ -28,25 +29,22 @@ def heal(moment, depsgraph=None):
     logged, not raised. Nothing is repaired if a repair is going on: a repair may call an operator, after which Blender evaluates at once,
     and what is half wired then would be wired once more.
     """
-    if _is_healing:
+    if _now.is_healing:
         return
-    _is_healing.append(moment)
+    _now.is_healing = True
     try:
-        _heal(repairs.Event(moment, depsgraph))
+        event = repairs.Event(moment, depsgraph)
+        for repair in repairs.AT[moment]:
+            if noticed.in_use or not repair.needs_use:
+                try:
+                    found = repair.sign(event)
+                    if found:
+                        repair.repair(found, event)
+                except Exception:
+                    # An exception in a handler would be reported after every change.
+                    log.exception("Motus: this could not be mended: %s", repair.change)
     finally:
-        _is_healing.clear()
-
-
-def _heal(event):
-    for repair in repairs.AT[event.moment]:
-        if noticed.in_use or not repair.needs_use:
-            try:
-                found = repair.sign(event)
-                if found:
-                    repair.repair(found, event)
-            except Exception:
-                # An exception in a handler would be reported after every change.
-                log.exception("Motus: this could not be mended: %s", repair.change)
+        _now.is_healing = False
 
 
 def reset():

@@ -230,8 +230,9 @@ def _move_renamed(found, _event):
                 obj.update_tag()
 
 
-def _part_copies(_found, _event):
+def _part_copies(_found, event):
     helpers.put_away()
+    _protect_each(_unprotected(event), event)
     relations.look()
     for system in systems():
         sharing.tidy(system)
@@ -276,9 +277,7 @@ def _with_drawn_curves(event):
     return [(system, owner) for system, owner in _attached() if system.take_over is not None]
 
 
-def _unprotected(event):
-    if event.depsgraph is not None and not _has_new_objects(event):
-        return []
+def _unprotected(_event):
     # Hubs that Blender has overridden along with their owner are nobody's: the override gets a hub of its own.
     ours = [mesh for mesh in bpy.data.meshes if outbox.is_hub(mesh) and not mesh.library and not mesh.override_library]
     return [mesh for mesh in ours if not hub_lookup.is_protected(mesh) and not sharing.is_abandoned(mesh)]
@@ -480,7 +479,7 @@ TABLE = (
     ),
     Repair(
         "Hubs came into the file that the purge of unused data would delete: appended, or made by an earlier version",
-        (LOADED, ARRIVED, *AFTER_EVALUATION),
+        (LOADED, ARRIVED),
         _unprotected,
         _protect_each,
         needs_use=False,
