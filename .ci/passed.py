@@ -3,8 +3,8 @@
 passed.py [--system] CACHE_FOLDER FILE_OR_FOLDER... -- COMMAND...
 Runs a command, or prints what it printed when it passed with the same arguments and the same bytes in those files and in the libraries that
 the program loads, with the same options of sanitizers, on such a processor.
---system: and with the same programs of the system and of CACHE_FOLDER/../programs, which the command starts. Only Debian says what is
-installed, so elsewhere such a command is always run.
+--system: and with the same programs of the system, and of those that pyproject.toml pins and CACHE_FOLDER/../programs has, which the command
+starts. Only Debian says what is installed, so elsewhere such a command is always run.
 The output of tests that passed is a file in CACHE_FOLDER, named by a number for all that. Tests of which some were skipped have not passed:
 what they lacked may be there the next time.
 """
@@ -17,6 +17,8 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+
+import pinned
 
 PACKAGES = Path("/var/lib/dpkg/status")
 """Debian's list of the installed packages, with their versions."""
@@ -78,12 +80,16 @@ def libraries(program):
 
 
 def installed(programs, packages=PACKAGES):
-    """Lines that say which programs there are: the system's packages, what is on the PATH beside them, and what pip has installed below `programs`."""
+    """Lines that say which programs there are: the system's packages, what is on the PATH beside them, and what pip has installed of what is pinned.
+
+    Below `programs` there may be more: what other clones pin.
+    """
     if not packages.exists():
         return [f"unknown at {time.time_ns()}"]
     places = [Path(folder) for folder in os.get_exec_path() if Path(folder).is_dir()]
     on_path = [(file, file.stat()) for folder in places for file in sorted(folder.iterdir()) if file.is_file()]
-    by_pip = sorted(file.relative_to(programs).as_posix() for file in programs.glob("*/lib/python*/site-packages/*.dist-info"))
+    own = (place for place, _ in pinned.groups(programs).values())
+    by_pip = sorted(file.relative_to(programs).as_posix() for place in own for file in place.glob("lib/python*/site-packages/*.dist-info"))
     return [*contents(packages), *(f"{file} {state.st_size} {state.st_mtime_ns}" for file, state in on_path), *by_pip]
 
 

@@ -15,10 +15,18 @@ import once
 CLONE = Path(__file__).resolve().parents[1]
 
 
+def groups(programs, clone=CLONE):
+    """{name: (its folder below `programs`, what pip installs into it)} of the groups of pyproject.toml's dependencies."""
+    wanted = tomllib.loads((clone / "pyproject.toml").read_text(encoding="utf-8"))["dependency-groups"]
+    return {
+        group: (programs / hashlib.sha256(" ".join((sys.version, group, *packages)).encode()).hexdigest()[:16], packages)
+        for group, packages in wanted.items()
+    }
+
+
 def installed(group, programs, clone=CLONE):
     """(the folder with the programs of a group of pyproject.toml's dependencies, ""), or (None, why they cannot be had)."""
-    wanted = tomllib.loads((clone / "pyproject.toml").read_text(encoding="utf-8"))["dependency-groups"][group]
-    folder = programs / hashlib.sha256(" ".join((sys.version, group, *wanted)).encode()).hexdigest()[:16]
+    folder, wanted = groups(programs, clone)[group]
 
     def fill(place):
         commands = ((sys.executable, "-m", "venv", place), (place / "bin" / "pip", "install", "--quiet", *wanted))

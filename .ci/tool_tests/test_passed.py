@@ -9,6 +9,7 @@ import unittest.mock
 from pathlib import Path
 
 import passed
+import pinned
 
 PASSED = Path(__file__).resolve().parents[1] / "passed.py"
 PROGRAM = (
@@ -84,7 +85,7 @@ class Passed(unittest.TestCase):
         self.check(3, "\nsummary: 20 passed, 0 failed, 0 skipped")
 
     def test_again_with_another_program(self):
-        """On the PATH, or installed by pip beside the states that are kept."""
+        """On the PATH, or installed by pip beside the states that are kept, if this clone pins it."""
         if not passed.PACKAGES.exists():
             self.skipTest("this system has no list of its packages")
         programs = self.folder / "bin"
@@ -95,7 +96,11 @@ class Passed(unittest.TestCase):
             (programs / "compiler").touch()
             self.check(2, options=["--system"])
             self.check(2, options=["--system"])
-            (self.folder / "programs" / "1" / "lib" / "python3.11" / "site-packages" / "linter-2.dist-info").mkdir(parents=True)
+            below = Path("lib", "python3.11", "site-packages", "linter-2.dist-info")
+            (self.folder / "programs" / "of_another_clone" / below).mkdir(parents=True)
+            self.check(2, options=["--system"])
+            own, _ = pinned.groups(self.folder / "programs")["lint"]
+            (own / below).mkdir(parents=True)
             self.check(3, options=["--system"])
             self.check(3, options=["--system"])
 
