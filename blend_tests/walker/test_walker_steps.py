@@ -69,6 +69,17 @@ class Steps(cases.WalkerTestCase):
         self.assertEqual(len(spider.motus.walker.steps), 1)
         self.assertLess((foot_of(spider) - before).length, 2e-3)
 
+    def test_after_a_script_has_cleared_the_list(self):
+        spider, middle = self.walking()
+        before = foot_of(spider)
+        edit(spider, location=before + MOVED)
+        support.go_to(middle)
+        spider.motus.walker.steps.clear()
+        self.assertEqual(edit(spider, turn=0.3), {'FINISHED'})
+        support.go_to(middle)
+        self.assertEqual([round(step.turn, 6) for step in spider.motus.walker.steps], [0.3])
+        self.assertLess((foot_of(spider) - before).length, 2e-3)
+
     def test_frames_in_any_order(self):
         spider, _ = self.walking()
         edit(spider, location=foot_of(spider) + MOVED)

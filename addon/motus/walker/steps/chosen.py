@@ -39,6 +39,12 @@ class Step(NamedTuple):
     lift: float
 
 
+def plan_again(context, owner):
+    """Have a walker planned by its settings as they are: a script that has changed the list of its steps has not told Blender so."""
+    wiring.touch(setup.system(), owner)
+    context.view_layer.update()
+
+
 def planned(context, owner):
     """The steps of a walker as it is planned now, as of the native Walker. Raises Refused if it does not walk."""
     found = told.found(context, owner)

@@ -99,7 +99,7 @@ class MOTUS_OT_walker_step(PointDrag, OfAnObject, bpy.types.Operator):
         if not any(map(self.is_given, CHANGES)):
             raise Refused(tr("Say what to change of the step: location, turn or lock is missing"))
         check_finite(self, ("frame", "location", "turn"))
-        context.view_layer.update()
+        chosen.plan_again(context, owner)
         edit = chosen.Edit(context, owner, _named_step(context, owner, self))
         if self.is_given("lock"):
             (edit.lock if self.lock else edit.unlock)()
@@ -170,7 +170,7 @@ class MOTUS_OT_walker_step_time(OfAnObject, bpy.types.Operator):
         if not given:
             raise Refused(tr("Say when the step is: touch or lift is missing"))
         check_finite(self, ("frame", *chart.MOMENTS))
-        context.view_layer.update()
+        chosen.plan_again(context, owner)
         edit = chosen.Edit(context, owner, _named_step(context, owner, self))
         for name, frame in given.items():
             edit.time(name, scene_time.keys_time(context.scene, frame))
