@@ -11,6 +11,7 @@ import unittest
 
 import bytecode
 import journal
+import kept_tests
 
 
 class _Result(unittest.TestResult):
@@ -80,37 +81,70 @@ def _is_marked(test, mark):
     return hasattr(test, mark) or hasattr(getattr(test, getattr(test, "_testMethodName", ""), None), mark)
 
 
-def run_folder(folder, patterns=()):
+def run_folder(folder, patterns=(), about=()):
     """Runs folder/test_*.py, or of it the tests whose id contains one of `patterns`; returns the exit status.
 
-    Those with the attribute that the environment variable MOTUS_LEAVE_OUT names are left out, and those that the journal has.
+    Those with the attribute that the environment variable MOTUS_LEAVE_OUT names are left out, and those that the journal has. about: lines
+    that say what is tested, and by what: files of which all tests have passed before are then passed without being run (kept_tests.py).
     """
     faulthandler.enable()  # a process that a signal ends says which test it was in
     with bytecode.kept_for_children():
-        return _run(folder, patterns)
+        return _run(folder, patterns, about)
 
 
-def _run(folder, patterns):
+def _run(folder, patterns, about):
     sys.path.insert(0, str(folder))
     loader = unittest.TestLoader()
     if patterns:
         loader.testNamePatterns = [f"*{pattern}*" for pattern in patterns]
-    kept = journal.Journal.named()
-    result = _Result(kept)
-    tests = loader.discover(str(folder), top_level_dir=str(folder))
-    if mark := os.environ.get("MOTUS_LEAVE_OUT"):
-        tests = unittest.TestSuite(test for test in _tests(tests) if not _is_marked(test, mark))
-    if ended := kept.outcomes():
-        tests = unittest.TestSuite(test for test in _tests(tests) if test.id() not in ended)
+    ended = journal.Journal.named()
+    result = _Result(ended)
+    known = ended.outcomes()
+    mark = os.environ.get("MOTUS_LEAVE_OUT", "")
+    before = kept_tests.KeptTests.named(folder, [mark, *about]) if about and not patterns else None
+    modules = _by_module(loader.discover(str(folder), top_level_dir=str(folder)))
     gc.freeze()  # Blender, the add-on and the tests stay: looking through them again and again would be a thirtieth of the time
-    tests.run(result)
+    kept = {}
+    for module, tests in modules.items():
+        wanted = [test for test in tests if not (mark and _is_marked(test, mark))]
+        left = [test for test in wanted if test.id() not in known]
+        if before is None or len(left) < len(wanted):
+            unittest.TestSuite(left).run(result)
+        elif number := before.count(module):
+            kept[module] = number
+        else:
+            with before.watched(module) as note:
+                failed = _not_passed(result)
+                unittest.TestSuite(left).run(result)
+                if left and _not_passed(result) == failed:
+                    note(len(left))
+    has_failed = _summary(result, kept)
+    return 1 if has_failed or not (result.testsRun or kept or patterns) else 0
+
+
+def _by_module(suite):
+    """{name of a module: its tests, in their order}."""
+    found = {}
+    for test in _tests(suite):
+        found.setdefault(type(test).__module__, []).append(test)
+    return found
+
+
+def _not_passed(result):
+    return len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses) + len(result.skipped)
+
+
+def _summary(result, kept):
+    """Prints what has become of the tests; returns whether some failed. kept: {module: number of its tests, which passed before}."""
     failed = len(failed_tests(result))
     skipped = len(result.skipped)
     for test, reason in result.skipped:
         print(f"skipped: {test.id()}: {reason}")
-    passed = max(result.testsRun - failed - skipped, 0)
+    if kept:
+        print(f"kept: {sum(kept.values())} tests in {len(kept)} files have passed before, just as they are")
+    passed = max(result.testsRun - failed - skipped, 0) + sum(kept.values())
     print(f"summary: {passed} passed, {failed} failed, {skipped} skipped", flush=True)
-    return 1 if failed or not (result.testsRun or patterns) else 0
+    return failed > 0
 
 
 if __name__ == "__main__":

@@ -1,16 +1,18 @@
 """Runs the groups of tests (CMakeLists.txt) by CTest; called by `./motus test`, which has built and packaged the add-on before.
 
-test.py [--all | --blenders NAME,...] [--only NAME,...] [PATTERN...]
+test.py [--all | --blenders NAME,...] [--only NAME,...] [--again] [PATTERN...]
 CTest tells how each group ends, and shows the output of those that fail. Then follow a line a group with counts and seconds, and last
 `N passed, N failed[, N skipped] in N min N s`.
 """
 
 import argparse
+import contextlib
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -51,6 +53,19 @@ def configure(groups, **lists):
         check=True,
         stdout=subprocess.DEVNULL,
     )
+
+
+@contextlib.contextmanager
+def passed_before(again):
+    """While tests run: has them find what has passed before, or nothing if all is to run again."""
+    if not again:
+        yield
+        return
+    kept = Path(os.environ["MOTUS_PASSED"])
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=kept.parent, prefix="again-") as folder:
+        os.environ["MOTUS_PASSED"] = folder
+        yield
 
 
 def run_groups(names):
@@ -116,7 +131,8 @@ def report(results):
         if name.startswith("build ") and not counts[1]:
             counts = (0, 0, 0)  # what was built is no test
         output = group.findtext("system-out", "")
-        print(f"{name:26} {wording(*counts):38} {float(group.get('time')):6.1f} s")
+        kept = sum(map(int, re.findall(r"^kept: (\d+) tests", output, re.MULTILINE)))
+        print(f"{name:26} {wording(*counts):38} {float(group.get('time')):6.1f} s" + (f", {kept} of them passed before" if kept else ""))
         if counts[2]:
             print("\n".join(f"    {line}" for line in output.splitlines() if "skipped" in line.lower() and "summary" not in line))
         if counts[1]:
@@ -136,6 +152,7 @@ def main():
         help="run in each Blender everything that it can, and test the library by other compilers and for other systems and processors",
     )
     parser.add_argument("--only", default="", help="only the groups whose name contains one of these")
+    parser.add_argument("--again", action="store_true", help="run again what has passed before, just as it is")
     parser.add_argument("patterns", nargs="*", help="only the tests whose name contains one of these")
     options = parser.parse_args()
 
@@ -149,8 +166,8 @@ def main():
     ]
     fuzzed = [topic for topic in FUZZED if not options.patterns and (options.all or any(part and part in f"fuzz {topic}" for part in only))]
     farm = ["farm"] if options.all or any(part and part in "farm" for part in only) else []
-    configure(groups, farm=farm, elsewhere=elsewhere, fuzzed=fuzzed, patterns=options.patterns, **released.planned(only, options.all))
-    with bytecode.kept_for_children():
+    with passed_before(options.again), bytecode.kept_for_children():
+        configure(groups, farm=farm, elsewhere=elsewhere, fuzzed=fuzzed, patterns=options.patterns, **released.planned(only, options.all))
         status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:

@@ -15,5 +15,5 @@ import suite  # noqa: E402  (found by the line above)
 import support  # noqa: E402
 
 support.enable()
-status = suite.run_folder(HERE, sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else ())
+status = suite.run_folder(HERE, sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else (), support.about())
 sys.exit(status)

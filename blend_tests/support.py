@@ -2,6 +2,7 @@
 
 import atexit
 import functools
+import hashlib
 import importlib
 import json
 import math
@@ -16,6 +17,7 @@ from pathlib import Path
 
 import addon_utils
 import bpy
+import numpy
 
 TESTS = Path(__file__).resolve().parent
 CLONE = TESTS.parent
@@ -55,6 +57,14 @@ def disable():
 
 def _raise(error):
     raise error
+
+
+def about():
+    """Lines that say what the tests are of: this Blender with its NumPy, and all bytes of the installed add-on."""
+    folder = Path(addon().__file__).parent
+    files = sorted(file for file in folder.rglob("*") if file.is_file() and "__pycache__" not in file.parts)
+    blender = [bpy.app.version_string, str(bpy.app.build_hash), str(bpy.app.build_date), numpy.__version__]
+    return blender + [f"{file.relative_to(folder)} {hashlib.sha256(file.read_bytes()).hexdigest()}" for file in files]
 
 
 def register_systems(*toys):

@@ -53,9 +53,9 @@ def _new(owner: Any, path: str, index: int | None, variables: dict[str, Any]) ->
     return curve.driver
 
 
-def _on(bench: bpy.types.Camera, variables: dict[str, Any]) -> bpy.types.FCurve:
-    """Add a driver with these variables to a camera that has none; returns the driver's F-curve."""
-    curve: bpy.types.FCurve = bench.driver_add("lens")
+def _on(bench: Any, variables: dict[str, Any]) -> Any:
+    """Add a driver with these variables to a camera that has none; returns the F-curve of the driver."""
+    curve = bench.driver_add("lens")
     # Blender maps a driver's value through the driver's F-curve. In 5.x that has two keys, at 0 and 1, and a value that is within
     # 1e-4 above a key is snapped onto the key. An F-curve without keys and modifiers passes the value on unchanged.
     while curve.modifiers:
