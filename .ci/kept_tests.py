@@ -32,7 +32,11 @@ class KeptTests:
     def __init__(self, folder, about, states, clone=CI.parent):
         self._folder, self._clone, self._states = folder, clone, passed.States(states)
         self._heard = Heard(clone)
-        data = [file for file in sorted(folder.rglob("*")) if file.is_file() and file.suffix != ".py" and MADE.isdisjoint(file.parts)]
+        data = [
+            file
+            for file in sorted(folder.rglob("*"))
+            if file.is_file() and file.suffix != ".py" and MADE.isdisjoint(file.relative_to(folder).parts)
+        ]
         files = (line for path in (*RUNNERS, *data, passed.PACKAGES) for line in passed.contents(path))
         self._common = [sys.version, passed.processor(), *passed.options(), *about, *files]
 

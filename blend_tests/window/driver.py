@@ -14,12 +14,14 @@ import traceback
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
+sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / ".ci")]
 sys.dont_write_bytecode = True
 
 import bpy  # noqa: E402
 
-import support  # noqa: E402  (found by the line above)
+import kept_tests  # noqa: E402  (found by the line above)
+import passed  # noqa: E402
+import support  # noqa: E402
 from window import window_support  # noqa: E402
 
 TURNS = 3
@@ -62,18 +64,46 @@ def run_one(test):
         yield step
 
 
-def run_all(tests):
-    """Generator over all steps of all tests; says what has passed and what has failed, and quits Blender."""
+def run_all(tests, ended, before):
+    """Generator over all steps of all tests but those that have ended; says what has passed and what has failed, and quits Blender.
+
+    before: KeptTests; None if all are to run.
+    """
     yield
     yield from make_start_file()
+    for module, names in by_module(tests).items():
+        left = [name for name in names if name not in ended]
+        if before is None or len(left) < len(names):
+            yield from run_some({name: tests[name] for name in left})
+        elif before.count(module) == len(names):
+            print(*(f"KEPT {name}" for name in names), sep="\n", flush=True)
+        else:
+            with before.watched(module) as note:
+                if (yield from run_some({name: tests[name] for name in names})):
+                    note(len(names))
+    bpy.ops.wm.quit_blender()
+
+
+def by_module(tests):
+    """{name of a module: names of its tests}."""
+    found = {}
+    for name in tests:
+        found.setdefault(name.rpartition(".")[0], []).append(name)
+    return found
+
+
+def run_some(tests):
+    """Generator over all steps of some tests; returns whether all passed."""
+    failed = 0
     for name, test in tests.items():
         print(f"BEGUN {name}", flush=True)
         try:
             yield from run_one(test)
             print(f"PASSED {name}", flush=True)
         except Exception:  # the next test still runs
+            failed += 1
             print(f"{traceback.format_exc()}\nFAILED {name}", flush=True)
-    bpy.ops.wm.quit_blender()
+    return not failed
 
 
 def stepper(steps):
@@ -105,8 +135,9 @@ def main(picture_folder, *patterns):
     window_support.picture_folder = Path(picture_folder)
     tests = load_tests(patterns)
     print("TESTS", *tests, flush=True)
-    ended = os.environ["MOTUS_ENDED"].split()
-    steps = run_all({name: test for name, test in tests.items() if name not in ended})
+    runners = (line for name in ("driver.py", "run.py") for line in passed.contents(HERE / name))
+    before = None if patterns else kept_tests.KeptTests.named(HERE.parent, ["in a window", *runners, *support.about()])
+    steps = run_all(tests, os.environ["MOTUS_ENDED"].split(), before)
     # Persistent, because each test opens a new file.
     bpy.app.timers.register(stepper(steps), first_interval=0.0, persistent=True)
 
