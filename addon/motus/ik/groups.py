@@ -7,9 +7,8 @@ import json
 import re
 from typing import Any, NamedTuple
 
-import bpy
-
 from ..core import rigs, wiring
+from ..core.blender.poses import TO_BONE, bone_named
 from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.file.pointers import pointed
 from ..core.settings.entries import unwired
@@ -22,7 +21,7 @@ STRETCHED = frozenset({"rotation", "scale"})
 PLAN = "plan"
 """Key in a group's data of the JSON text from which wired.Wired is made."""
 
-_OF_BONE = re.compile(r'^pose\.bones\["((?:[^"\\]|\\.)*)"\]\.(?!constraints\[)')
+_OF_BONE = re.compile(TO_BONE + r"\.(?!constraints\[)")
 
 
 class Found(NamedTuple):
@@ -186,4 +185,4 @@ def _bones_with_drivers(owner):
     """Names of the owner's bones that have a driver on a property of their own, such as location, rotation or scale."""
     animation = owner.animation_data
     matches = [_OF_BONE.match(curve.data_path) for curve in animation.drivers] if animation else []
-    return {bpy.utils.unescape_identifier(match[1]) for match in matches if match}
+    return {bone_named(owner, match) for match in matches} - {""}

@@ -51,6 +51,21 @@ class Drivers(support.SceneTestCase):
         self.drivers.copy_value(self.obj, '["rest"]')
         self.assertEqual(self.evaluated()["rest"], 0.0)
 
+    def test_bones_by_name_and_by_number(self):
+        armature = bpy.data.armatures.new("Rig")
+        rig = self.link("Rig", armature)
+        bpy.context.view_layer.objects.active = rig
+        bpy.ops.object.mode_set(mode='EDIT')
+        for number, name in enumerate(('A "quoted" bone', "second", "third", "still")):
+            bone = armature.edit_bones.new(name)
+            bone.head, bone.tail = (number, 0.0, 0.0), (number, 0.0, 1.0)
+        bpy.ops.object.mode_set(mode='OBJECT')
+        for bone in rig.pose.bones[:3]:
+            bone.driver_add("location", 0)
+        curves = rig.animation_data.drivers
+        curves[1].data_path, curves[2].data_path = "pose.bones[1].rotation_euler", "pose.bones[77].scale"
+        self.assertEqual(self.drivers.driven_bones(rig), {'A "quoted" bone', "second"})
+
     def test_without_keys_and_with_nothing_left_over(self):
         cameras = len(bpy.data.cameras)
         self.drivers.copy_value(self.obj, "location", self.value(0), 0)

@@ -9,14 +9,12 @@ from typing import Any
 import bpy
 
 from . import capabilities
+from .poses import TO_BONE
 
 Curves = Any
 """Type of a collection of F-curves, which differs between Blender versions. Functions return an empty tuple if there is none."""
-OWN_CHANNEL = re.compile(r'pose\.bones\[(?:"(?P<bone>(?:[^"\\]|\\.)*)"|\d+)\]\.(?:location|rotation_\w+|scale)$')
-"""Matches data paths of a bone's location, rotation and scale.
-
-Group "bone" is the escaped name of the bone; None if the path has the bone's index.
-"""
+OWN_CHANNEL = re.compile(TO_BONE + r"\.(?:location|rotation_\w+|scale)$")
+"""Matches data paths of a bone's location, rotation and scale, with the groups of poses.TO_BONE."""
 
 
 def fcurves(id_data: Any) -> Curves:

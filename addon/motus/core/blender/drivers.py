@@ -7,7 +7,7 @@ from typing import Any
 
 import bpy
 
-from . import actions
+from . import actions, poses
 
 
 def add(owner: Any, path: str, expression: str, variables: dict[str, Any], index: int | None = None, use_self: bool = False) -> None:
@@ -105,7 +105,7 @@ def driven_bones(obj: Any) -> set[str]:
     """Names of the bones of an object that have a driver on their own location, rotation or scale."""
     animation = obj.animation_data
     matches = (actions.OWN_CHANNEL.match(curve.data_path) for curve in (animation.drivers if animation else ()))
-    return {bpy.utils.unescape_identifier(match["bone"]) for match in matches if match and match["bone"]}
+    return {poses.bone_named(obj, match) for match in matches} - {""}
 
 
 def targets_on(read: set[Any]) -> Iterator[tuple[Any, Any, Any, int]]:

@@ -169,6 +169,13 @@ class LevelTest(BoneTestCase):
         self.read(self.rig, 'pose.bones["B.1"].location', self.rig, bone="A.1")
         self.assertEqual(self.levels(), [0, 1])
 
+    def test_bones_that_are_named_by_their_numbers(self):
+        names = self.rig.pose.bones.keys()
+        driven, read = names.index("B.1"), names.index("A.1")
+        self.read(self.rig, 'pose.bones["B.1"].location', self.rig, f"pose.bones[{read}].matrix[0][3]")
+        self.rig.animation_data.drivers[-1].data_path = f"pose.bones[{driven}].location"
+        self.assertEqual(self.levels(), [0, 1])
+
     def test_driven_settings_belong_to_all(self):
         self.levels()
         drive(self.rig, 'motus.bend.entries["A.0"].weight', "frame")

@@ -13,6 +13,7 @@ import re
 
 import bpy
 
+from ...blender.poses import TO_BONE, bone_named
 from ...declare import laid_beneath, of_owner, registered, systems
 from ..hubs import marks, outbox
 from ..sinks import proxy_sink
@@ -21,9 +22,9 @@ from . import waiting
 TRANSFORM, BONE, POSE, GEOMETRY, DRIVERS, ENTRY = "transform", "bone", "pose", "geometry", "drivers", "entry"
 
 _OWN_TRANSFORM = ("location", "rotation_", "scale", "delta_", "constraints[", "lock_")
-_BONE_PATH = re.compile(r'^pose\.bones\["(?P<bone>(?:[^"\\]|\\.)*)"\]\.')
-_EVALUATED = re.compile(rf'^(?:matrix_world|matrix_local|{_BONE_PATH.pattern[1:]}(?:matrix|head|tail|length)\b)')
-_CHANNEL = re.compile(rf'^(?:{_BONE_PATH.pattern[1:]})?(?:location|rotation_\w+|scale|delta_\w+)')
+_BONE_PATH = re.compile(rf"{TO_BONE}\.")
+_EVALUATED = re.compile(rf"(?:matrix_world|matrix_local|{TO_BONE}\.(?:matrix|head|tail|length)\b)")
+_CHANNEL = re.compile(rf"(?:{TO_BONE}\.)?(?:location|rotation_\w+|scale|delta_\w+)")
 _ON_GEOMETRY = {'SHRINKWRAP', 'FOLLOW_PATH', 'CLAMP_TO', 'SPLINE_IK', 'GEOMETRY_ATTRIBUTE'}
 _TARGETS = (
     ("target", "subtarget"),
@@ -105,7 +106,7 @@ def _of_channel(obj, path):
     """
     match = _CHANNEL.match(path)
     if match:
-        yield from _place(obj, bpy.utils.unescape_identifier(match["bone"] or ""))
+        yield from _place(obj, bone_named(obj, match))
 
 
 class _Graph:
@@ -239,9 +240,9 @@ class _Graph:
         if key not in self._drivers:
             by_bone = self._drivers[key] = {}
             for path, driver in self._all_drivers(obj):
-                match = _BONE_PATH.match(path)
-                if match:
-                    by_bone.setdefault(bpy.utils.unescape_identifier(match["bone"]), []).append((path, driver))
+                bone = bone_named(obj, _BONE_PATH.match(path))
+                if bone:
+                    by_bone.setdefault(bone, []).append((path, driver))
         return self._drivers[key].get(name, ())
 
     def _solved_by(self, obj):
@@ -352,7 +353,7 @@ def _read_by(driver):
                 continue
             evaluated = _EVALUATED.match(target.data_path) if isinstance(target.id, bpy.types.Object) else None
             if evaluated:
-                yield from _place(target.id, bpy.utils.unescape_identifier(evaluated["bone"] or ""))
+                yield from _place(target.id, bone_named(target.id, evaluated))
             elif target.data_path:
                 yield DRIVERS, target.id, re.sub(r"\[\d+\]$", "", target.data_path)
 
