@@ -6,6 +6,7 @@ the tests.
 """
 
 import contextlib
+import functools
 import hashlib
 import json
 import os
@@ -49,7 +50,7 @@ class KeptTests:
     def _state(self, module):
         """The number of the state of a module of tests."""
         files = _imported(self._folder, module)
-        return passed.number_of([*self._common, module, *(line for file in files for line in passed.contents(file))])
+        return passed.number_of([*self._common, module, *(line for file in files for line in _read(file)[0])])
 
     def count(self, module):
         """How many tests a module has, if they passed before, just as they are; else 0."""
@@ -113,8 +114,14 @@ def _imported(folder, module):
         for file in _files(folder, waiting.pop()):
             if file not in found:
                 found.add(file)
-                waiting += _named(file.read_text(encoding="utf-8"))
+                waiting += _read(file)[1]
     return sorted(found)
+
+
+@functools.cache
+def _read(file):
+    """(lines with a number for a source as it is when it is first asked for, dotted names of what it may import)."""
+    return passed.contents(file), list(_named(file.read_text(encoding="utf-8")))
 
 
 def _files(folder, name):
