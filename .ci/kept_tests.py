@@ -28,9 +28,13 @@ MADE = {"__pycache__", "build", "out", ".git"}
 
 
 class KeptTests:
-    """What has passed of the tests in a folder. clone: folder whose files are looked after. about: lines that say what is tested, and by what."""
+    """What has passed of the tests in a folder.
 
-    def __init__(self, folder, about, states, clone=CI.parent):
+    modules: names of the modules with tests, which are as their files are now. about: lines that say what is tested, and by what. states:
+    folder in which is kept what has passed. clone: folder whose files are looked after.
+    """
+
+    def __init__(self, folder, modules, about, states, clone=CI.parent):
         self._folder, self._clone, self._states = folder, clone, passed.States(states)
         self._heard = Heard(clone)
         data = [
@@ -39,22 +43,18 @@ class KeptTests:
             if file.is_file() and file.suffix != ".py" and MADE.isdisjoint(file.relative_to(folder).parts)
         ]
         files = (line for path in (*RUNNERS, *data, passed.PACKAGES) for line in passed.contents(path))
-        self._common = [sys.version, passed.processor(), *passed.options(), *about, *files]
+        common = [sys.version, passed.processor(), *passed.options(), *about, *files]
+        self._state = {module: passed.number_of([*common, module, *_lines(folder, module)]) for module in modules}
 
     @classmethod
-    def named(cls, folder, about):
+    def named(cls, folder, modules, about):
         """Those in the folder that the environment names; None if it names none. Only Debian says what is installed: elsewhere it is None too."""
         states = os.environ.get(VARIABLE)
-        return cls(Path(folder).resolve(), about, states) if states and passed.PACKAGES.exists() else None
-
-    def _state(self, module):
-        """The number of the state of a module of tests."""
-        files = _imported(self._folder, module)
-        return passed.number_of([*self._common, module, *(line for file in files for line in _read(file)[0])])
+        return cls(Path(folder).resolve(), modules, about, states) if states and passed.PACKAGES.exists() else None
 
     def count(self, module):
         """How many tests a module has, if they passed before, just as they are; else 0."""
-        said = self._states.said(self._state(module))
+        said = self._states.said(self._state[module])
         if said is None:
             return 0
         noted = json.loads(said)
@@ -64,9 +64,8 @@ class KeptTests:
     @contextlib.contextmanager
     def watched(self, module):
         """While a module's tests run; gives what notes, with their number, that all of them passed."""
-        state = self._state(module)  # of the files as they are before
         with self._heard.paths() as paths:
-            yield lambda tests: self._states.note(state, json.dumps({"tests": tests, "read": self._numbers(paths)}))
+            yield lambda tests: self._states.note(self._state[module], json.dumps({"tests": tests, "read": self._numbers(paths)}))
 
     def _numbers(self, paths):
         imported = [Path(file) for file in [getattr(module, "__file__", None) for module in list(sys.modules.values())] if file]
@@ -107,20 +106,23 @@ def _now(path):
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else ""
 
 
-def _imported(folder, module):
-    """The files of a module and of all that it imports, directly or not, from a folder that is on Python's path; sorted."""
+def _lines(folder, module):
+    """Lines with a number for each source that a module is made of: its own, and all that it imports, directly or not, from `folder`.
+
+    folder: on Python's path.
+    """
     found, waiting = set(), [module]
     while waiting:
         for file in _files(folder, waiting.pop()):
             if file not in found:
                 found.add(file)
                 waiting += _read(file)[1]
-    return sorted(found)
+    return [line for file in sorted(found) for line in _read(file)[0]]
 
 
 @functools.cache
 def _read(file):
-    """(lines with a number for a source as it is when it is first asked for, dotted names of what it may import)."""
+    """(lines with a number for a source, dotted names of what it may import)."""
     return passed.contents(file), list(_named(file.read_text(encoding="utf-8")))
 
 

@@ -101,8 +101,8 @@ def _run(folder, patterns, about):
     result = _Result(ended)
     known = ended.outcomes()
     mark = os.environ.get("MOTUS_LEAVE_OUT", "")
-    before = kept_tests.KeptTests.named(folder, [mark, *about]) if about and not patterns else None
     modules = _by_module(loader.discover(str(folder), top_level_dir=str(folder)))
+    before = kept_tests.KeptTests.named(folder, modules, [mark, *about]) if about and not patterns else None
     gc.freeze()  # Blender, the add-on and the tests stay: looking through them again and again would be a thirtieth of the time
     kept = {}
     for module, tests in modules.items():

@@ -103,6 +103,15 @@ class Kept(unittest.TestCase):
         self.write_tests("alone", body="self.assertTrue(True)")
         self.check("alone")
 
+    def test_a_file_that_is_edited_while_tests_run(self):
+        """What has passed is the file as it was imported."""
+        edited = self.clone / "tests" / "test_reading.py"
+        self.write_tests("alone", body=f"Path({str(edited)!r}).open('a').write('# edited\\n')")
+        self.check(*self.ALL)
+        self.write_tests("alone")
+        self.check("alone", "reading")
+        self.check()
+
     def test_other_things_are_tested(self):
         self.check(*self.ALL)
         self.check(*self.ALL, about="other add-on")

@@ -136,7 +136,8 @@ def main(picture_folder, *patterns):
     tests = load_tests(patterns)
     print("TESTS", *tests, flush=True)
     runners = (line for name in ("driver.py", "run.py") for line in passed.contents(HERE / name))
-    before = None if patterns else kept_tests.KeptTests.named(HERE.parent, ["in a window", *runners, *support.about()])
+    about = ["in a window", *runners, *support.about()]
+    before = None if patterns else kept_tests.KeptTests.named(HERE.parent, by_module(tests), about)
     steps = run_all(tests, os.environ["MOTUS_ENDED"].split(), before)
     # Persistent, because each test opens a new file.
     bpy.app.timers.register(stepper(steps), first_interval=0.0, persistent=True)
