@@ -16,6 +16,7 @@ REACH = np.arange(60.0, 420.0)  # m from the lake's middle at which the shore is
 LEVEL = 4.6  # height of the rails' feet, m
 CLEAR = 7.0  # m on each side of the line without trees or houses
 SPACING = 1.5  # m from one sleeper to the next
+COARSE = 8  # of as many points of the line, one says whether a place is anywhere near
 
 GAUGE, RAIL_WIDTH, RAIL_HEIGHT = 1.3, 0.12, 0.16  # m
 SLEEPER = (2.2, 0.35, 0.18)  # m, across, along, up
@@ -38,8 +39,16 @@ class Line(NamedTuple):
 
     def is_clear(self, x, y):
         """Return for each place of the arrays x and y whether it is beside the line, and not on it."""
-        apart = np.hypot(np.asarray(x)[:, None] - self.points[:, 0], np.asarray(y)[:, None] - self.points[:, 1])
-        return apart.min(axis=1) > CLEAR
+        places, found = np.column_stack((x, y)), np.ones(len(x), bool)
+        # A place that is on the line is near one of the few points, too, and few places are.
+        near = _apart(places, self.points[::COARSE]) <= CLEAR + COARSE * SPACING
+        found[near] = _apart(places[near], self.points) > CLEAR
+        return found
+
+
+def _apart(places, points):
+    """Return the distance (n,) of places (n, 2) from the nearest of some points (m, 2 or more), seen from above."""
+    return np.hypot(places[:, None, 0] - points[:, 0], places[:, None, 1] - points[:, 1]).min(axis=1)
 
 
 def add_line(collection):
