@@ -65,8 +65,8 @@ struct Motion::Solver {
     void settle();
     void begin_steps();
     void advance();
-    void keep(std::size_t knot);
-    void restore(std::size_t knot, State& out) const;
+    void keep(std::size_t index);
+    void restore(std::size_t index, State& out) const;
     void end_cycle();
     void places(double time, std::span<glm::dvec3> out) const;
 
@@ -151,14 +151,14 @@ void Motion::Solver::begin_steps() {
     ready = section + 1;
 }
 
-void Motion::Solver::keep(std::size_t knot) {
-    const auto to = kept.begin() + static_cast<std::ptrdiff_t>((now().knots + knot) * 2 * size());
+void Motion::Solver::keep(std::size_t index) {
+    const auto to = kept.begin() + static_cast<std::ptrdiff_t>((now().knots + index) * 2 * size());
     std::copy(state.velocities.begin(), state.velocities.end(),
               std::copy(state.places.begin(), state.places.end(), to));
 }
 
-void Motion::Solver::restore(std::size_t knot, State& out) const {
-    const auto from = kept.begin() + static_cast<std::ptrdiff_t>(knot * 2 * size());
+void Motion::Solver::restore(std::size_t index, State& out) const {
+    const auto from = kept.begin() + static_cast<std::ptrdiff_t>(index * 2 * size());
     const auto middle = from + static_cast<std::ptrdiff_t>(size());
     out.places.assign(from, middle);
     out.velocities.assign(middle, middle + static_cast<std::ptrdiff_t>(size()));
