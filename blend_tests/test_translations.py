@@ -1,6 +1,7 @@
 """Every English text of the interface has a Spanish one, and nothing else has."""
 
 import ast
+import functools
 import re
 import string
 import unittest
@@ -85,6 +86,7 @@ def _constants(context, nodes):
                 yield context, choice.value
 
 
+@functools.cache
 def english_texts():
     """Every (context, text) of the add-on that Blender or tr() translates."""
     texts = {text for cls in registered_classes() for text in class_texts(cls)}

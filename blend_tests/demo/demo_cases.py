@@ -24,3 +24,12 @@ def build(identifier):
     start, end = demo.film
     CHECKS.assertTrue(0.0 <= start < end <= seconds, demo.film)
     return result
+
+
+def show_shapes(scene, are_shown):
+    """Whether modifiers and snow are evaluated: they are what most of a frame's time goes into, and tests of transforms look at none of them."""
+    for thing in scene.objects:
+        if thing.motus.snow.is_active or thing.motus.snow_cover.is_active:
+            thing.hide_viewport = not are_shown
+        for modifier in thing.modifiers:
+            modifier.show_viewport = are_shown

@@ -42,19 +42,12 @@ class MainScene(unittest.TestCase):
         cls.result = demo_cases.build('MAIN')
         cls.scene = bpy.context.window.scene
         cls.rig = next(thing for thing in cls.scene.objects if thing.name.startswith("Wooden Pilot") and thing.type == 'ARMATURE')
-        cls.covers = [thing for thing in cls.scene.objects if thing.motus.snow_cover.is_active]
-        cls.show_covers(False)
+        demo_cases.show_shapes(cls.scene, False)
         cls.played = {frame: cls.moment(frame) for frame in range(1, cls.scene.frame_end + 1)}
 
     @classmethod
     def tearDownClass(cls):
         support.empty_scene()
-
-    @classmethod
-    def show_covers(cls, are_shown):
-        """Whether lying snow is evaluated: it takes nine tenths of a frame, and no Moment has anything of it."""
-        for cover in cls.covers:
-            cover.hide_viewport = not are_shown
 
     @classmethod
     def moment(cls, frame):
@@ -86,9 +79,9 @@ class MainScene(unittest.TestCase):
     def test_nothing_is_wrong(self):
         """No panel has anything to complain about, in the middle of the walk and of the flight."""
         wiring, systems = support.addon("core.wiring"), support.addon("core.declare").systems()
-        self.assertTrue(self.covers)
-        self.show_covers(True)
-        self.addCleanup(self.show_covers, False)
+        self.assertTrue(any(thing.motus.snow_cover.is_active and thing.hide_viewport for thing in self.scene.objects))
+        demo_cases.show_shapes(self.scene, True)
+        self.addCleanup(demo_cases.show_shapes, self.scene, False)
         for frame in (30, 150):
             self.scene.frame_set(frame)
             depsgraph = bpy.context.evaluated_depsgraph_get()

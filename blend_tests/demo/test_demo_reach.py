@@ -83,6 +83,7 @@ class ReachingPilot(unittest.TestCase):
         cls.result = demo_cases.build('IK')
         cls.scene = bpy.context.window.scene
         cls.motion = support.addon("demo.reach.motion")
+        demo_cases.show_shapes(cls.scene, False)
         cls.rig = pilot_of(cls.scene)
         cls.arm_length = sum(cls.rig.data.bones[name].length for name in ARM)
         cls.butterfly = cls.rig.motus.look_at.entries["head"].target

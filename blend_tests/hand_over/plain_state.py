@@ -1,8 +1,9 @@
 """What a scene shows at some frames: transforms, bones, vertices, points, lattices, cameras. It imports nothing of the add-on."""
 
-import json
 import math
+import pickle
 import re
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -74,17 +75,12 @@ def _instanced(depsgraph):
 
 def store(path, frames):
     """Write states() and leftovers() into a file."""
-    arrays = {f"{name}|{index}": row for name, rows in states(frames).items() for index, row in enumerate(rows)}
-    np.savez(path, left=np.array(json.dumps(leftovers())), **arrays)
+    Path(path).write_bytes(pickle.dumps((states(frames), leftovers())))
 
 
 def stored(path):
     """What store() has written: (states, leftovers)."""
-    found = np.load(path, allow_pickle=False)
-    states = {}
-    for name in (one for one in found if one != "left"):  # in the order of the frames
-        states.setdefault(name.rpartition("|")[0], []).append(found[name])
-    return states, json.loads(str(found["left"]))
+    return pickle.loads(Path(path).read_bytes())
 
 
 def picture(path, frame):

@@ -25,7 +25,7 @@ signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 for most in {limits!r}:
     resource.setrlimit(resource.RLIMIT_FSIZE, (most, resource.RLIM_INFINITY))
     try:
-        bpy.ops.motus.hand_over(filepath={path!r}, start=1, end=40)
+        bpy.ops.motus.hand_over(filepath={path!r}, start=1, end=16)
     except RuntimeError as error:
         said = " ".join(str(error).split())
         print("SAID", said, [one.name for one in Path({path!r}).parent.iterdir()], Path({path!r}).read_bytes())

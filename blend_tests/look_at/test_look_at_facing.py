@@ -77,7 +77,7 @@ class Facing(LookAtTestCase):
                     self.assertMeets(rig, entry, forward)
                     self.assertAlmostEqual(math.degrees(self.told("yaw", rig=rig)), 40.0, delta=0.01)
                     self.assertAlmostEqual(math.degrees(self.told("pitch", rig=rig)), 20.0, delta=0.01)
-                    bpy.data.objects.remove(rig)
+                    support.empty_scene()
 
     def test_feet_show_up_however_the_object_is_turned(self):
         for forward, up, turn in turns():

@@ -74,7 +74,7 @@ class Setup(CoverTestCase):
             self.assertIn(told, self.cover_sentence(cover))
             self.assertEqual(len(layer(cover)[0]) > 0, stays)
             setattr(settings, name, kept)
-        emitter.motus.snow.rate, emitter.motus.snow.lifetime = 5e6, 1.0
+        emitter.motus.snow.rate, emitter.motus.snow.lifetime = 5e6, 0.01
         self.assertIn("More than 10 million", self.cover_sentence(cover))
         emitter.motus.snow.rate = float("nan")
         self.assertIn("finite number", self.cover_sentence(cover))

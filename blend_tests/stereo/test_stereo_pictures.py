@@ -27,6 +27,10 @@ class Pictures(StereoTestCase):
         scene.cycles.max_bounces = 0
         scene.render.resolution_x, scene.render.resolution_y = self.WIDTH, self.HEIGHT
         scene.render.resolution_percentage = 100
+        # Of the picture what the squares are in is rendered: the centre of one that is cut off would be elsewhere.
+        scene.render.use_border = True
+        scene.render.border_min_x, scene.render.border_max_x = 0.12, 0.88
+        scene.render.border_min_y, scene.render.border_max_y = 0.22, 0.78
         scene.view_settings.view_transform = 'Raw'
         scene.render.image_settings.file_format, scene.render.image_settings.color_depth = 'PNG', '16'
         if scene.world:
@@ -138,8 +142,7 @@ class Pictures(StereoTestCase):
             obj.rotation_euler = turned.to_euler()
         self.add(interocular=0.3, distance=2.5)
         render, stereo = bpy.context.scene.render, self.camera.data.stereo
-        # Of the picture what the squares can be in is rendered.
-        render.use_border, render.border_min_y, render.border_max_y = True, 0.45, 0.93
+        render.border_min_y, render.border_max_y = 0.45, 0.93
         for half, width, left, right in ((False, 720, 0.33, 0.7), (True, 360, 0.16, 0.9)):
             render.resolution_x, render.border_min_x, render.border_max_x = width, left, right
             bpy.ops.motus.stereo_output(object="Camera", format='PAIR', use_360=True, use_180=half)

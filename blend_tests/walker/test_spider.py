@@ -34,7 +34,7 @@ class Spider(cases.WalkerTestCase):
         )
 
     def test_knees_are_up_and_legs_do_not_cross(self):
-        spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
+        spider = cases.spider_on_waves()
         rest = np.array([tuple(leg.rest) for leg in spider.motus.walker.legs])
         for frame in range(1, 110, 9):
             support.go_to(frame)

@@ -30,7 +30,7 @@ class Steps(cases.WalkerTestCase):
             np.testing.assert_allclose(cases.tips(spider), cases.places(spider), atol=2e-5)
 
     def test_a_frame_alone_is_the_frame_in_playback(self):
-        spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
+        spider = cases.spider_on_waves()
         frames = sorted(set(cases.OFF_THE_FRAMES))
         played = dict(zip(frames, cases.over(frames, lambda: (cases.places(spider), cases.tips(spider)))))
         for frame in cases.OFF_THE_FRAMES:

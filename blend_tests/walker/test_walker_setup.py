@@ -363,7 +363,6 @@ class Edits(cases.WalkerTestCase):
         cases.spider()
         path = self.save()
         linked = self.load(path, True, "Spider")
-        self.scene = bpy.context.scene
         local = linked.override_create(remap_local_usages=True)
         bpy.context.view_layer.update()
         local.motus.walker.gait = 'WAVE'

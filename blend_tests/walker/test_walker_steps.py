@@ -39,7 +39,7 @@ def height(x, y):
 
 class Steps(cases.WalkerTestCase):
     def walking(self, **keywords):
-        spider = cases.spider(ground=cases.grid("Land", cases.waves).name, **keywords)
+        spider = cases.spider_on_waves(**keywords)
         middle = stand(spider)
         support.go_to(middle)
         return spider, middle

@@ -37,7 +37,7 @@ def arrived(owner):
 
 class StepsInTime(cases.WalkerTestCase):
     def walking(self, **keywords):
-        spider = cases.spider(ground=cases.grid("Land", cases.waves).name, **keywords)
+        spider = cases.spider_on_waves(**keywords)
         support.go_to(stand(spider))
         return spider
 

@@ -79,7 +79,7 @@ class Motions(cases.WalkerTestCase):
 
     def test_a_render_plans_nothing_anew(self):
         """Its evaluated copies are others on each frame; what they are read for is the same."""
-        spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
+        spider = cases.spider_on_waves()
         support.go_to(20)
         native, tracks, stamps = support.addon("core.native").module, support.addon("core.tracks"), set()
         with mock.patch.object(native, "Walker", wraps=native.Walker) as made:
@@ -93,7 +93,7 @@ class Motions(cases.WalkerTestCase):
         self.assertEqual(made.call_count, 0)
 
     def test_feet_and_body_share_a_plan_for_as_long_as_an_evaluation(self):
-        spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
+        spider = cases.spider_on_waves()
         plan = support.addon("walker.plan")
         support.go_to(20)
         with mock.patch.object(plan, "of", wraps=plan.of) as asked:
@@ -113,7 +113,7 @@ class Motions(cases.WalkerTestCase):
                     np.testing.assert_array_equal(was, now)
 
     def test_an_extent_needs_no_plan(self):
-        spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
+        spider = cases.spider_on_waves()
         support.go_to(20)
         native, tracks = support.addon("core.native").module, support.addon("core.tracks")
         with mock.patch.object(native, "Walker", wraps=native.Walker) as made:

@@ -6,8 +6,8 @@ import rig_samples as samples
 import support
 from ik.test_ik_rigs import CHAINS, add_ik
 
-FRAMES = range(1, 13)
-KEYED = (1, 6, 12)
+FRAMES = range(1, 8)
+KEYED = (1, 4, 7)
 TOLERANCE = 1e-5  # m: joints
 
 

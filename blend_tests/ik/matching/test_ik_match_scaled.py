@@ -15,6 +15,7 @@ PARENTS = {
     "mirrored": (-1.0, 1.0, 1.0),
     "mirrored and scaled": (1.5, -1.0, 0.7),
 }
+FRAMES = (1, 7, 12)
 OWN = ((1.0, 1.0, 1.0), (0.5, 2.0, 1.5), (-1.0, 2.0, 1.0), (1.0, -1.0, -2.0))
 
 
@@ -36,12 +37,12 @@ class Scaled(MatchTestCase):
                     with self.subTest(name, own=own, mode=mode, keeps=keeps):
                         support.empty_scene()
                         self.scene = bpy.context.scene
-                        self.scene.frame_end = 30
+                        self.scene.frame_end = FRAMES[-1]
                         rig = self.animated_arm()
-                        recorded = self.recorded(rig, (1, 12, 25))
+                        recorded = self.recorded(rig, FRAMES)
                         target = self.place_target(scale, own, mode)
                         self.reach(rotation_weight=1.0, keep_rotation=keeps)
-                        self.match(frame_start=1, frame_end=30)
+                        self.match(frame_start=FRAMES[0], frame_end=FRAMES[-1])
                         self.assertRecorded(rig, recorded, 1e-5)
                         self.assertNear(target.scale, own, 0.0)
 
@@ -50,14 +51,14 @@ class Scaled(MatchTestCase):
             with self.subTest(scale=scale):
                 support.empty_scene()
                 self.scene = bpy.context.scene
-                self.scene.frame_end = 30
+                self.scene.frame_end = FRAMES[-1]
                 rig = self.animated_arm()
-                recorded = self.recorded(rig, (1, 12, 25))
+                recorded = self.recorded(rig, FRAMES)
                 other = self.arm(name="Other")
                 other.pose.bones["Shoulder"].scale = scale
                 other.pose.bones["Bone 0"].scale = (0.5, 2.0, 1.5)
                 self.reach(target="Other", target_bone="Bone 0", rotation_weight=1.0, keep_rotation=False)
-                self.match(frame_start=1, frame_end=30)
+                self.match(frame_start=FRAMES[0], frame_end=FRAMES[-1])
                 self.assertRecorded(rig, recorded, 1e-5)
 
     def test_an_offset(self):

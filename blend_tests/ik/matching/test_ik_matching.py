@@ -246,10 +246,10 @@ class IkMatchesFk(MatchTestCase):
             (MANY, (20, 25)),
             (MANY, (-30, 2)),
         ):
+            self.keyed_target()
             for handles in ('AUTO_CLAMPED', 'AUTO', 'VECTOR', ('AUTO', 'VECTOR')):
                 for smoothing in ('CONT_ACCEL', 'NONE'):
                     with self.subTest(f"{len(keys)} keys, {frames}, {handles}, {smoothing}"):
-                        self.keyed_target()
                         self.assertFramesStay(
                             "ik_match_fk", bpy.data.objects["Target"], "location", keys, frames, handles=handles, smoothing=smoothing
                         )

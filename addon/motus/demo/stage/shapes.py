@@ -125,7 +125,7 @@ class MeshBuilder:
         """Add a part, (vertices, faces). slot: one material index, or one for each face. smooth: whether the faces are shaded smooth."""
         vertices, faces = part
         self._vertices.append(np.asarray(vertices, dtype=float))
-        self._faces.extend((np.asarray(faces) + self._count).tolist())
+        self._faces.append(np.asarray(faces) + self._count)
         self._slots.append(np.broadcast_to(np.asarray(slot, dtype=np.int32), (len(faces),)))
         self._smooth.append(np.full(len(faces), smooth))
         self._count += len(vertices)
@@ -133,7 +133,17 @@ class MeshBuilder:
     def build(self, name, materials):
         """Make the joined mesh with its materials. Returns the mesh."""
         mesh = bpy.data.meshes.new(name)
-        mesh.from_pydata(np.concatenate(self._vertices).tolist(), [], self._faces)
+        # Mesh.from_pydata() makes the same mesh of lists, which takes three times as long.
+        mesh.vertices.add(self._count)
+        mesh.vertices.foreach_set("co", np.concatenate(self._vertices).astype(np.float32).ravel())
+        corners = np.concatenate([faces.ravel() for faces in self._faces]).astype(np.int32)
+        sizes = np.concatenate([np.full(len(faces), faces.shape[1], np.int32) for faces in self._faces])
+        mesh.loops.add(len(corners))
+        mesh.loops.foreach_set("vertex_index", corners)
+        mesh.polygons.add(len(sizes))
+        mesh.polygons.foreach_set("loop_start", np.cumsum(sizes, dtype=np.int32) - sizes)
+        mesh.polygons.foreach_set("loop_total", sizes)
+        mesh.update(calc_edges=True)
         mesh.polygons.foreach_set("material_index", np.concatenate(self._slots))
         mesh.polygons.foreach_set("use_smooth", np.concatenate(self._smooth))
         for material in materials:
