@@ -9,7 +9,7 @@ from hand_over import plain_state
 LAST = 25
 """Last frame that is handed over: a second of the motions, each of whose frames takes four evaluations of the scene or more."""
 WHOLE = (1, 4, 9, 13, 18, 22, LAST)
-PARTS = (2.5, 10.3, 15.5, 20.7, 23.9)
+PARTS = (2.5, 10.3, 11.9, 15.5, 20.7)
 FRAMES = WHOLE + PARTS
 EXACT = 1e-5
 """Largest difference on whole frames, in metres."""
