@@ -31,9 +31,7 @@ def build():
     A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, a chain, pins, a pulled lattice, pendulums, snow, a stereo
     camera, walkers.
     """
-    target = support.link("Target", location=(0.6, 0.3, 1.4))
-    support.key_places(target, {1: (0.6, 0.3, 1.4), 40: (0.2, 0.7, 1.2)})
-    _paths()
+    build_paths()
     _rigs()
     _dynamics()
     _chains()
@@ -63,7 +61,10 @@ def opened():
     bpy.context.view_layer.update()
 
 
-def _paths():
+def build_paths():
+    """Of what build() makes the target, and what is on paths, alone."""
+    target = support.link("Target", location=(0.6, 0.3, 1.4))
+    support.key_places(target, {1: (0.6, 0.3, 1.4), 40: (0.2, 0.7, 1.2)})
     course = path_cases.curve_data("Course")
     path_cases.add_bezier(course, path_cases.cubic_knots(path_cases.CLIMB))
     support.link("Course", course)
@@ -76,7 +77,7 @@ def _paths():
         keyed.motus.path.distance_factor = value
         keyed.keyframe_insert("motus.path.distance_factor", frame=frame)
     bpy.ops.motus.path_follow_add(object="Driven", curve="Course", timing='MANUAL')
-    _drive(bpy.data.objects["Driven"], "motus.path.distance_factor", "v", bpy.data.objects["Target"], "location.x")
+    _drive(bpy.data.objects["Driven"], "motus.path.distance_factor", "v", target, "location.x")
     racer = support.link("Racer")
     bpy.ops.motus.path_follow_add(object="Racer", curve="Course", timing='SPEED')
     for frame, speed in ((1, 0.1), (20, 0.4), (40, 0.9)):
@@ -86,6 +87,7 @@ def _paths():
     # What users' own drivers read of Motus: an output, and a setting.
     _drive(support.link("Gauge"), "location", "v", bpy.data.objects["Car"], '["motus_path_out"][3]', 0)
     _drive(support.link("Shadow"), "location", "v", keyed, "motus.path.distance_factor", 1)
+    bpy.context.view_layer.update()
 
 
 def _rigs():

@@ -157,6 +157,21 @@ def evaluated(thing):
     return obj if thing == thing.id_data else obj.pose.bones[thing.name]
 
 
+def differ(first, second, tolerance=1e-4, relative=0.0):
+    """Keys under which two dictionaries of arrays have not the same numbers, or one has none.
+
+    tolerance: how far two numbers may be apart that count as the same. relative: what is added to that, as a share of the number in `second`.
+    """
+    return {
+        what
+        for what in first.keys() | second.keys()
+        if what not in first
+        or what not in second
+        or first[what].shape != second[what].shape
+        or not (abs(first[what] - second[what]) <= tolerance + relative * abs(second[what])).all()
+    }
+
+
 def use_eevee(scene, engine, samples):
     """Has EEVEE render, drawn in software: without shadows, for which EEVEE (4.2 on) clears a large memory for each sample."""
     scene.render.engine = engine

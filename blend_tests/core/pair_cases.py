@@ -92,7 +92,7 @@ def add(system, kind, beside=""):
         rate = 30.0 if is_first else 20.0
         operators.snow_add(surface=owner, shape='SURFACE', look='POINTS', lifetime=1.0, rate=rate, location=(0.0, 0.0, 0.0))
     elif name == "snow_cover":
-        operators.snow_add(look='POINTS', lifetime=4.0, rate=60.0, location=(0.0, 0.0, 2.0))
+        operators.snow_add(look='POINTS', lifetime=4.0, rate=15.0, location=(0.0, 0.0, 2.0))
         bpy.context.object.name = "Cloud"
         operators.snow_cover_add(surfaces=owner, emitters="Cloud", lump=0.2, resolution=0.25)
     elif name == "stereo":
@@ -161,18 +161,6 @@ def seen(frames=FRAMES):
                 found[f"{obj.name}: colour", frame] = np.array(evaluated.color)
                 found[f"{obj.name}: eyes", frame] = np.array(evaluated.data.stereo.convergence_distance)
     return found
-
-
-def differ(first, second, tolerance=1e-4):
-    """What is not the same in two of these."""
-    return {
-        what
-        for what in first.keys() | second.keys()
-        if what not in first
-        or what not in second
-        or first[what].shape != second[what].shape
-        or not np.allclose(first[what], second[what], rtol=0.0, atol=tolerance)
-    }
 
 
 def _mesh():

@@ -13,7 +13,7 @@ class Baked(support.SceneTestCase):
         seen = set()
         for one in live_objects():
             bpy.context.view_layer.objects.active = one
-            if 'CANCELLED' in _quietly(bpy.ops.motus.bake, object=one.name, frame_start=3, frame_end=7):
+            if 'CANCELLED' in _quietly(bpy.ops.motus.bake, object=one.name, frame_start=3, frame_end=4):
                 continue
             for panel in system_panels():
                 owner_system = system.registered[panel.name]
@@ -35,7 +35,7 @@ class Baked(support.SceneTestCase):
             is_main = not hasattr(cls, "bl_parent_id")
             self.assertEqual(on, ["motus.unbake"] if is_main else [])
             if is_main:
-                self.assertIn("Baked 3-7", layout.named("label"))
+                self.assertIn("Baked 3-4", layout.named("label"))
         overlay = support.addon("core.interface.overlay")
         if owner_system.overlay is not None:
             for other in system.registered.values():

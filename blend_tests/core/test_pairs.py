@@ -1,6 +1,8 @@
 """Every two systems that may meet on one owner, in both orders: both show, or a sentence says why not."""
 
 import itertools
+import tempfile
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -13,33 +15,35 @@ FAR = 2e-3
 
 
 class Pairs(support.SceneTestCase):
-    seen_alone: dict = {}
-    """What alone() has found: {(kind of owner, system, what of the other system matters): what was seen}."""
-
-    def made(self, kind, *systems):
-        """(the owner, what refused the last system or "") of a new scene in which the owner has been given systems."""
-        support.empty_scene()
-        owner, refused = cases.build(kind), ""
-        for name in systems:
-            beside = next((one for one in systems if one != name), "")
-            try:
-                cases.add(name, kind, beside)
-            except RuntimeError as error:
-                self.assertEqual(name, systems[-1], error)
-                refused = str(error)
-        bpy.context.view_layer.update()
-        return owner, refused
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.files, cls.kept = tempfile.TemporaryDirectory(prefix="motus-test-"), {}
+        cls.addClassCleanup(cls.files.cleanup)
 
     def alone(self, kind, name, beside):
-        """What is seen of an owner with one system alone, as it is put there beside another one. Found once."""
+        """Of a new scene with one system on its owner, as it is put there beside another one: (path of its file, what is seen). Made once."""
         key = kind, name, cases.bones_beside(name, kind, beside)
-        if key not in self.seen_alone:
+        if key not in self.kept:
             support.empty_scene()
             cases.build(kind)
             cases.add(name, kind, beside)
             bpy.context.view_layer.update()
-            self.seen_alone[key] = cases.seen()
-        return self.seen_alone[key]
+            path = str(Path(self.files.name, f"{len(self.kept)}.blend"))
+            bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+            self.kept[key] = path, cases.seen()
+        return self.kept[key]
+
+    def made(self, kind, first, second):
+        """(the owner, what refused the second system or "") of a scene in which the owner has been given two systems."""
+        bpy.ops.wm.open_mainfile(filepath=self.alone(kind, first, second)[0])
+        refused = ""
+        try:
+            cases.add(second, kind, first)
+        except RuntimeError as error:
+            refused = str(error)
+        bpy.context.view_layer.update()
+        return bpy.data.objects["Owner"], refused
 
     def test_all_systems_are_in_the_table(self):
         named = {name.split()[0] for names in cases.KINDS.values() for name in names}
@@ -47,7 +51,7 @@ class Pairs(support.SceneTestCase):
 
     def test_both_show_or_a_sentence_says_why(self):
         for kind, first, second in cases.pairs():
-            alone = {name: self.alone(kind, name, other) for name, other in ((first, second), (second, first))}
+            alone = {name: self.alone(kind, name, other)[1] for name, other in ((first, second), (second, first))}
             found = {}
             for order in ((first, second), (second, first)):
                 with self.subTest(kind=kind, order=order):
@@ -56,11 +60,11 @@ class Pairs(support.SceneTestCase):
                         continue
                     found[order] = cases.seen()
                     for name, other in (order, order[::-1]):
-                        self.assertTrue(cases.differ(found[order], alone[other]), f"{name} does nothing")
+                        self.assertTrue(support.differ(found[order], alone[other]), f"{name} does nothing")
             with self.subTest(kind=kind, pair=(first, second)):
                 self.assertIn(len(found), (0, 2), "one order is told, the other is not")
                 if len(found) == 2 and not {first, second} & cases.IN_ORDER:
-                    self.assertFalse(cases.differ(*found.values()), "the order matters")
+                    self.assertFalse(support.differ(*found.values()), "the order matters")
 
     def test_what_moves_above_layers_is_as_above_keys(self):
         """The layers' own result as keys is the reference."""
@@ -77,7 +81,7 @@ class Pairs(support.SceneTestCase):
                     owner, refused = self.made("rig", *order)
                     self.assertFalse(refused or cases.sentences(owner))
                     found = cases.seen()
-                    self.assertFalse(cases.differ(found, wanted, FAR))
+                    self.assertFalse(support.differ(found, wanted, FAR))
                     for frame in reversed(cases.FRAMES):
                         again = cases.seen((frame,))
                         for what, numbers in again.items():
@@ -93,9 +97,9 @@ class Pairs(support.SceneTestCase):
                 curve.update()
         bpy.context.view_layer.update()
         edited = cases.seen((20,))
-        self.assertTrue(cases.differ(before, edited))
+        self.assertTrue(support.differ(before, edited))
         bpy.ops.motus.refresh(object="Owner", system="dynamics")
-        self.assertFalse(cases.differ(cases.seen((20,)), edited, 0.0))
+        self.assertFalse(support.differ(cases.seen((20,)), edited, 0.0))
 
     def test_an_object_that_waits_for_its_own_layers_is_healed_in_a_file_of_an_older_version(self):
         """Version 2 of the wiring had the object's dynamics wait for the layers, which wait for the object: a dependency cycle."""
@@ -119,7 +123,7 @@ class Pairs(support.SceneTestCase):
         self.assertIn("l0", variables("Owner")[0])
         self.go_to(2)
         self.assertNotIn("l0", variables("Owner")[0])
-        self.assertFalse(cases.differ(cases.seen(), wanted))
+        self.assertFalse(support.differ(cases.seen(), wanted))
 
     def test_the_panel_names_what_it_knows_by(self):
         owner, _ = self.made("rig", "dynamics own", "layers")
@@ -135,4 +139,4 @@ class Pairs(support.SceneTestCase):
         found = cases.seen(frames)
         owner.motus.dynamics.entries[0].is_muted = True
         bpy.context.view_layer.update()
-        self.assertTrue(cases.differ(found, cases.seen(frames)))
+        self.assertTrue(support.differ(found, cases.seen(frames)))

@@ -41,11 +41,13 @@ def keyed(scene):
 
 def fill(scene):
     bpy.context.window.scene = scene
-    for _ in range(20):
-        thing = keyed(scene)
+    things = [keyed(scene) for _ in range(20)]
+    for thing in things:
         thing.select_set(True)
-        bpy.context.view_layer.objects.active = thing
-        bpy.ops.motus.dynamics_add()
+    bpy.context.view_layer.objects.active = things[0]
+    bpy.ops.motus.dynamics_add()
+    assert all(thing.motus.dynamics.is_active for thing in things)
+    for thing in things:
         thing.select_set(False)
     scene.frame_set(5)
 

@@ -199,8 +199,7 @@ class OfOneSystem(chroma_setup_cases.SetUpTestCase):
             for node in [node for node in tree.nodes if "motus_chroma" in node]:
                 put(node, "motus_chroma", values("")[number])
             with self.subTest(number=number), damaged_cases.raised() as errors:
-                for cls in wrong_kinds.panels():
-                    wrong_kinds.draw(cls)
+                wrong_kinds.draw_panels(wrong_kinds.panels())
                 self.assertRefused("has lost its footage", bpy.ops.motus.chroma_key_add, color=(0.1, 0.1, 0.8))
                 bpy.ops.motus.chroma_key_remove()
                 self.assertEqual(errors, [])

@@ -1,7 +1,10 @@
 """Settings in which a script has written what they are not declared for: nothing raises, in no solver, panel, overlay or operator."""
 
+import functools
 import itertools
+import tempfile
 import types
+from pathlib import Path
 
 import bpy
 
@@ -102,14 +105,17 @@ def wrong_things():
     ]
 
 
-def draw(cls):
-    """Draws a panel as Blender does, but into a Layout."""
-    if not hasattr(cls, "poll") or cls.poll(bpy.context):
-        cls.draw(types.SimpleNamespace(layout=Layout()), bpy.context)
+def draw_panels(registered):
+    """Draws panels as Blender does, but into a Layout: sub-panels if the panel that they are in is shown. registered: of panels()."""
+    shown = {}
+    for cls in registered:
+        shown[cls.__name__] = shown.get(getattr(cls, "bl_parent_id", ""), True) and (not hasattr(cls, "poll") or cls.poll(bpy.context))
+        if shown[cls.__name__]:
+            cls.draw(types.SimpleNamespace(layout=Layout()), bpy.context)
 
 
 def panels():
-    """All registered panels but those of presets, which Blender draws."""
+    """All registered panels but those of presets, which Blender draws; each before its sub-panels."""
     return [
         cls
         for cls in bpy.types.Panel.__subclasses__()
@@ -136,19 +142,27 @@ class Layout(test_habits.Layout):
         pass
 
 
+@functools.cache
+def live_file():
+    """(path of a file with all systems, on a frame of it, what deletes it at the end)."""
+    folder = tempfile.TemporaryDirectory(prefix="motus-test-")
+    path = str(Path(folder.name, "live.blend"))
+    live_scenes.opened()
+    bpy.context.scene.frame_set(13)
+    bpy.context.scene.frame_end = 3
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    return path, folder
+
+
 class LiveFile(support.SceneTestCase):
     """Base of tests that spoil a file with all systems, time and again, and look at everything."""
 
     def setUp(self):
         super().setUp()
-        live_scenes.opened()
-        bpy.context.scene.frame_set(13)
-        bpy.context.scene.frame_end = 3
-        self.path = str(self.folder / "live.blend")
-        bpy.ops.wm.save_as_mainfile(filepath=self.path)
+        self.reopen()
 
     def reopen(self):
-        bpy.ops.wm.open_mainfile(filepath=self.path)
+        bpy.ops.wm.open_mainfile(filepath=live_file()[0])
         bpy.context.view_layer.update()
 
     def look(self):
@@ -160,8 +174,7 @@ class LiveFile(support.SceneTestCase):
         registered = panels()
         for obj in self.one_of_each_kind():
             bpy.context.view_layer.objects.active = obj
-            for cls in registered:
-                draw(cls)
+            draw_panels(registered)
             overlay.batches(bpy.context)
             overlay.notes(bpy.context)
 
@@ -297,8 +310,7 @@ class OtherOwners(support.SceneTestCase):
                 bpy.context.scene.frame_set(frame)
             for one, _, other in others:
                 bpy.context.view_layer.objects.active = other
-                for panel in panels():
-                    draw(panel)
+                draw_panels(panels())
                 self.assertFalse(system.is_owner(one, other) and one.owner_types and other.type not in one.owner_types, other.name)
             self.assertEqual(errors, [])
 

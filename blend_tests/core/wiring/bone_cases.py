@@ -36,7 +36,7 @@ def build_without_stretch():
 
 def build_many():
     """Many bones."""
-    return build(chains=14)
+    return build(chains=6)
 
 
 def build_driven_setting():

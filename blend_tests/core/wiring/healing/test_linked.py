@@ -21,9 +21,8 @@ class LinkedTestCase(support.SceneTestCase):
         self.wanted = live_scenes.states()
 
     def assert_as_before(self, msg, frames=live_scenes.FRAMES):
-        for frame, state in live_scenes.states(frames).items():
-            for key, found in state.items():
-                np.testing.assert_allclose(found, self.wanted[frame][key], atol=1e-6, err_msg=f"{msg}: {key} at {frame}")
+        for frame, found in live_scenes.states(frames).items():
+            self.assertEqual(support.differ(found, self.wanted[frame], 1e-6, 1e-7), set(), f"{msg}, on frame {frame}")
 
 
 class RefreshTest(LinkedTestCase):

@@ -50,7 +50,7 @@ class OutdatedPoses(support.SceneTestCase):
                 bpy.context.scene.collection.objects.link(owner)
                 bpy.context.view_layer.update()
                 self.assertFalse(poses.is_pose_outdated(owner))
-                self.assertFalse(cases.differ(cases.seen(), wanted))
+                self.assertFalse(support.differ(cases.seen(), wanted))
                 self.assertEqual(cases.sentences(owner), [])
 
     def test_a_rig_without_a_pose(self):

@@ -295,7 +295,7 @@ def _is_like(value, stored):
 def _values(size, random_numbers):
     yield from (5, -2.5, True, "hello", b"\x00\xff\x00", "", {"digest": "zz"}, {"a": {"b": [1.0, 2.0]}}, [{"a": 1}, {"b": 2}])
     for length in (0, 1, size - 1, size, size + 1, 6 * size, 10000):
-        yield [random_numbers.randrange(-9, 2**31 - 1) for _ in range(length)]
+        yield random_numbers.choices(range(-9, 2**31 - 1), k=length)
         yield [random_numbers.uniform(-1e3, 1e3) for _ in range(length)]
     yield [math.nan] * size
     yield [math.inf, -math.inf, 1e308] * size
@@ -316,6 +316,10 @@ def _other(kind):
     if kind == "objects":
         return blocks.get("Stranger") or blocks.new("Stranger", None)
     return blocks.get("Stranger") or blocks.new("Stranger")
+
+
+OTHER_FIELDS = [json.dumps(other) for other in (None, 5, "x", [], {}, [["a"]], [1e300], ["x"] * 3, ["x"] * 100000)]
+"""What may stand in place of a field of the text beside an outbox, as JSON."""
 
 
 def _of_info(case, carrier, random_numbers):
@@ -345,9 +349,10 @@ def _of_info(case, carrier, random_numbers):
         place = random_numbers.randrange(len(text))
         texts[f"letter {index}"] = text[:place] + random_numbers.choice('"[]{}09,:\\') + text[place + 1 :]
     said = json.loads(text)
+    fields = [json.dumps(one) for one in said]
     for place, one in enumerate(said):
-        for index, other in enumerate((None, 5, "x", [], {}, [["a"]], [1e300], not one, ["x"] * 3, ["x"] * 100000)):
-            texts[f"field {place}.{index}"] = json.dumps([*said[:place], other, *said[place + 1 :]])
+        for index, other in enumerate((*OTHER_FIELDS, json.dumps(not one))):
+            texts[f"field {place}.{index}"] = f"[{', '.join([*fields[:place], other, *fields[place + 1 :]])}]"
     texts |= {
         f"plan {index}": json.dumps([*said[:5], {**said[5], "plan": plan}, *said[6:]])
         for index, plan in enumerate(_plans(said[5].get("plan"), random_numbers))
@@ -490,5 +495,5 @@ def _wait_otherwise(case):
 
 
 def _short(value):
-    text = repr(value)
+    text = repr(value[:30] if isinstance(value, list) else value)
     return text if len(text) < 30 else f"{text[:30]}... of {len(value)}"

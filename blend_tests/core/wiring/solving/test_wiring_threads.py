@@ -105,7 +105,7 @@ class NestedTest(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        live_scenes.opened()
+        live_scenes.build_paths()
         for name, length in (("Outer", 2.0), ("Inner", 3.0)):
             course = bpy.data.objects["Course"].copy()
             course.data = course.data.copy()
@@ -148,7 +148,7 @@ class DeletedTest(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        live_scenes.opened()
+        live_scenes.build_paths()
         self.apart = bpy.data.collections.new("Apart")
         bpy.context.scene.collection.children.link(self.apart)
         self.course = bpy.data.objects["Course"]

@@ -111,7 +111,7 @@ def icon(name, values, levels=(0.0,), marks=(), pad=PAD, flags=(), across=(), do
     key = hash((tuple(levels), pad, flags.tobytes(), dot, *(one.tobytes() for one in (*values, *across))))
     if _shown.get(name) != key:
         preview.image_size = (WIDTH, HEIGHT)
-        preview.image_pixels_float = pixels(values[0], levels, values[1:], pad, flags, across, dot).ravel().tolist()
+        preview.image_pixels_float.foreach_set(pixels(values[0], levels, values[1:], pad, flags, across, dot).ravel().astype(np.float32))
         _shown.add(name, key)
     return preview.icon_id
 
@@ -147,14 +147,18 @@ def pixels(values, levels=(0.0,), marks=(), pad=PAD, flags=(), across=(), dot=No
 def _draw(picture, heights, colour, width):
     """Draw a smooth line into a picture. heights: of the line in each column, (WIDTH,). width: half the line's width in pixels."""
     rise = np.abs(np.gradient(heights))
-    rows = np.arange(HEIGHT)[:, None]
-    # The distance from the line counts, not the height above it, with which a steep line would be thin.
-    distance = np.abs(rows - heights) / np.sqrt(1.0 + rise * rise)
+    slant = np.sqrt(1.0 + rise * rise)
     # A steep line must have no gap between neighbouring columns.
-    reach = np.maximum(width, 0.5 * rise / np.sqrt(1.0 + rise * rise))
+    reach = np.maximum(width, 0.5 * rise / slant)
+    # Rows that the line does not reach stay as they are; a level reaches two or three.
+    room = (reach + 0.5) * slant
+    first, end = (int(min(max(0.0, row), HEIGHT)) for row in (np.floor((heights - room).min()), np.ceil((heights + room).max()) + 1.0))
+    rows, part = np.arange(first, end)[:, None], picture[first:end]
+    # The distance from the line counts, not the height above it, with which a steep line would be thin.
+    distance = np.abs(rows - heights) / slant
     cover = np.clip(reach + 0.5 - distance, 0.0, 1.0)[..., None]
-    picture[..., :3] += cover * (np.array(colour) - picture[..., :3])
-    picture[..., 3:] = np.maximum(picture[..., 3:], cover)
+    part[..., :3] += cover * (np.array(colour) - part[..., :3])
+    part[..., 3:] = np.maximum(part[..., 3:], cover)
 
 
 def _draw_path(picture, columns, rows, colour, width):
@@ -164,12 +168,11 @@ def _draw_path(picture, columns, rows, colour, width):
     columns, rows = np.interp(at, steps, columns), np.interp(at, steps, rows)
     cover = np.zeros(picture.shape[:2])
     reach = math.ceil(width + 1.0)
-    for up in range(-reach, reach + 1):
-        for right in range(-reach, reach + 1):
-            row, column = np.floor(rows).astype(int) + up, np.floor(columns).astype(int) + right
-            is_in = (row >= 0) & (row < HEIGHT) & (column >= 0) & (column < WIDTH)
-            distance = np.hypot(row - rows, column - columns)[is_in]
-            np.maximum.at(cover, (row[is_in], column[is_in]), np.clip(width + 0.5 - distance, 0.0, 1.0))
+    up, right = np.mgrid[-reach : reach + 1, -reach : reach + 1].reshape(2, -1, 1)
+    row, column = np.floor(rows).astype(int) + up, np.floor(columns).astype(int) + right
+    covered = np.clip(width + 0.5 - np.hypot(row - rows, column - columns), 0.0, 1.0)
+    is_in = (covered > 0.0) & (row >= 0) & (row < HEIGHT) & (column >= 0) & (column < WIDTH)
+    np.maximum.at(cover, (row[is_in], column[is_in]), covered[is_in])
     picture[..., :3] += cover[..., None] * (np.array(colour) - picture[..., :3])
     picture[..., 3] = np.maximum(picture[..., 3], cover)
 
