@@ -4,12 +4,12 @@ import functools
 import json
 import os
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
 import blenders
 import module_program
+from temporary import Temporary
 
 MOTUS = Path(__file__).resolve().parents[2] / "motus"
 MODULES = tuple(one.name for one in blenders.BLENDERS if one.kind == "module")
@@ -28,13 +28,6 @@ sys.exit(subprocess.run([*shlex.split(os.environ["MOTUS_BLENDER_PROGRAM"]), "-b"
 def has_blender(name):
     """Whether this machine has an official Blender, or can get it."""
     return subprocess.run([MOTUS, "has_blender", name], check=False, capture_output=True).returncode == 0
-
-
-class Temporary(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory(prefix="motus test ")
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
 
 
 class CommandLine(unittest.TestCase):

@@ -7,21 +7,14 @@ import io
 import json
 import os
 import subprocess
-import tempfile
 import unittest
 import zipfile
 from pathlib import Path
 
 import platforms
+from temporary import Temporary
 
 CLONE = Path(__file__).resolve().parents[2]
-
-
-class Temporary(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory(prefix="motus test ")
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
 
 
 class Table(unittest.TestCase):

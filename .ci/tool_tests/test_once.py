@@ -5,8 +5,6 @@ import io
 import os
 import subprocess
 import sys
-import tempfile
-import unittest
 from pathlib import Path
 from unittest import mock
 
@@ -14,15 +12,9 @@ import blenders
 import official
 import once
 import platforms
+from temporary import Temporary
 
 CLONE = Path(__file__).resolve().parents[2]
-
-
-class Temporary(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory(prefix="motus test ")
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
 
 
 class Installed(Temporary):

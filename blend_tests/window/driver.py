@@ -47,6 +47,7 @@ def make_start_file():
     """Generator: saves the start-up file, in which the 3D viewport has the window alone and draws little."""
     support.empty_scene()
     window_support.leave_the_viewport()
+    yield
     window_support.draw_little()
     yield
     bpy.ops.wm.save_as_mainfile(filepath=str(start_file()), copy=True)

@@ -50,14 +50,28 @@ def add_area(kind, direction='VERTICAL', share=0.21):
 
 
 def draw_little():
-    """Lets the 3D viewport do without what no test looks at: drawn in software, it is a third of the time."""
+    """Lets the 3D viewport do without what no test looks at: drawn in software, it is half of the time.
+
+    A test of the toolbar or of the tool's settings shows them itself.
+    """
     space = area().spaces.active
     for of, names in (
-        (space.overlay, ("show_floor", "show_axis_x", "show_axis_y", "show_outline_selected")),
+        (space, ("show_region_toolbar", "show_region_tool_header", "show_gizmo_navigate")),
+        (space.overlay, ("show_floor", "show_ortho_grid", "show_axis_x", "show_axis_y")),
+        (space.overlay, ("show_outline_selected", "show_text", "show_cursor")),
         (space.shading, ("show_object_outline", "show_specular_highlight")),
     ):
         for name in names:
             setattr(of, name, False)
+
+
+def lower_the_viewport():
+    """Generator: text editors take three quarters of the 3D viewport's height.
+
+    For tests of what panels hold, seen or not: Blender lays out all of a sidebar, and draws what fits into it.
+    """
+    for _ in range(2):
+        yield from add_area('TEXT_EDITOR', 'HORIZONTAL', 0.49)
 
 
 def centre(of=None):

@@ -334,12 +334,12 @@ def test_labels_fit_at_the_default_width():
     view.use_translate_interface = True
     scale = bpy.context.preferences.system.ui_scale
     try:
-        for language in ("en_US", "es"):
-            view.language = language
-            yield from window_support.open_tab("Motus")
+        yield from window_support.open_tab("Motus")
+        yield from window_support.lower_the_viewport()
+        for view.language in ("en_US", "es"):
             for obj in [obj for obj in bpy.context.scene.objects if not obj.name.startswith("Motus")]:
                 choose(obj)
-                window_support.draw_all()
+                window_support.area().tag_redraw()
                 yield
         room = window_support.region('UI').width - widths.MARGINS * scale
     finally:
