@@ -22,6 +22,12 @@ class Drivers(support.SceneTestCase):
         self.drivers.copy_value(self.obj, "location", self.value(1), 2)
         self.assertEqual(tuple(self.evaluated().location), (0.0, 0.0, 4.0))
 
+    def test_the_present_value_is_the_expression_that_is_not_in_use(self):
+        self.obj.location.z, self.obj["rest"] = 2.5, 7
+        self.drivers.copy_value(self.obj, "location", self.value(1), 2)
+        self.drivers.copy_value(self.obj, '["rest"]')
+        self.assertEqual([float(curve.driver.expression) for curve in self.obj.animation_data.drivers], [2.5, 7.0])
+
     def test_a_constraint(self):
         constraint = self.obj.constraints.new('LIMIT_LOCATION')
         constraint.use_min_x = True

@@ -45,6 +45,8 @@ def _new(owner: Any, path: str, index: int | None, variables: dict[str, Any]) ->
     # When a target is set, Blender 3.4 goes through all drivers of the datablock: 0.1 ms where there are 300. So a driver is made on a
     # datablock without others, which is gone again when the driver has been copied.
     bench = bpy.data.cameras.new("Motus")
+    value = owner.id_data.path_resolve(path)
+    bench["value"] = float(value if index is None else value[index])
     try:
         curve = animation.drivers.from_existing(src_driver=_on(bench, variables))
     finally:
@@ -54,8 +56,11 @@ def _new(owner: Any, path: str, index: int | None, variables: dict[str, Any]) ->
 
 
 def _on(bench: Any, variables: dict[str, Any]) -> Any:
-    """Add a driver with these variables to a camera that has none; returns the F-curve of the driver."""
-    curve = bench.driver_add("lens")
+    """Add a driver with these variables to a camera's property "value"; returns the driver's F-curve.
+
+    Blender makes the property's value the expression of its driver, which is seen if somebody makes it a scripted one.
+    """
+    curve = bench.driver_add('["value"]')
     # Blender maps a driver's value through the driver's F-curve. In 5.x that has two keys, at 0 and 1, and a value that is within
     # 1e-4 above a key is snapped onto the key. An F-curve without keys and modifiers passes the value on unchanged.
     while curve.modifiers:
