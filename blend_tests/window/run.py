@@ -2,7 +2,7 @@
 
 python3 blend_tests/window/run.py VERSION [PATTERN...]
 One Blender (driver.py) runs all test_*.py beside and below this file, and a further one what is left where a test crashes or hangs. Pictures of the
-window are left in out/window/VERSION/.
+window are left in out/window/VERSION/, of tests that are run: files of tests that passed before, just as they are, are not (.ci/kept_tests.py).
 """
 
 import contextlib
