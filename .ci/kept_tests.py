@@ -50,7 +50,9 @@ class KeptTests:
     def named(cls, folder, modules, about):
         """Those in the folder that the environment names; None if it names none. Only Debian says what is installed: elsewhere it is None too."""
         states = os.environ.get(VARIABLE)
-        return cls(Path(folder).resolve(), modules, about, states) if states and passed.PACKAGES.exists() else None
+        return (
+            cls(Path(folder).resolve(), modules, about, states) if states and sys.platform == "linux" and passed.PACKAGES.exists() else None
+        )
 
     def count(self, module):
         """How many tests a module has, if they passed before, just as they are; else 0."""
