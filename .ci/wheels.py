@@ -8,8 +8,6 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-import zopfli
-
 import package
 
 METADATA = """Metadata-Version: 2.4
@@ -61,6 +59,8 @@ def make(module, platform, python, target):
 
 def press(wheel):
     """Compresses the files of a wheel as far as deflate can: 4 % less of a module, in eight seconds. A zip for Blender has two of them."""
+    import zopfli  # only programs that make wheels have it
+
     with zipfile.ZipFile(wheel) as archive:
         files = [(entry, archive.read(entry)) for entry in archive.infolist()]
     with zopfli.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED, iterations=5) as archive:

@@ -61,6 +61,10 @@ def build_all_driven():
     """Both at once."""
     rig = build_driven_channels()
     drive(rig, 'motus.bend.entries["B.0"].weight', "1.0+0.5*cos(frame)")
+    for curve in rig.animation_data.drivers:
+        if curve.data_path.endswith("rotation_euler"):  # from 4.5 on, Blender may otherwise put the last frame's value back
+            target = curve.driver.variables.new().targets[0]
+            target.id, target.data_path = rig, "pass_index"
     wiring.refresh(toy_bone_system.SYSTEM, rig)
     return rig
 
