@@ -191,10 +191,10 @@ class OfOneSystem(chroma_setup_cases.SetUpTestCase):
     """What is read by operators of a single system."""
 
     def test_roles_of_nodes(self):
-        path = str(chroma_setup_cases.footage(self.folder))
+        self.set_up(filepath=str(chroma_setup_cases.footage(self.folder)))
+        path = self.save()
         for number in range(COUNT):
-            support.empty_scene()
-            self.set_up(filepath=path)
+            bpy.ops.wm.open_mainfile(filepath=path)
             tree = chroma_setup_cases.compositor.tree_of(bpy.context.scene)
             for node in [node for node in tree.nodes if "motus_chroma" in node]:
                 put(node, "motus_chroma", values("")[number])
