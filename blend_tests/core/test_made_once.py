@@ -10,8 +10,8 @@ import live_scenes
 import support
 
 FIRST, LAST = 2, 40
-WARM, COUNTED = 6, ((7, 8), (9, 10))
-ROUNDS = 4
+WARM = 6
+ROUNDS = tuple((frame, frame + 1) for frame in range(WARM + 1, WARM + 17, 2))
 EXPENSIVE = frozenset(
     (
         "Bezier",
@@ -185,12 +185,13 @@ def keyed(owner, group, name, path):
 
 
 def made_in_steady_state():
-    """({name: how often it was called}, {what is kept: how often something was kept}) while two of the frames COUNTED are gone through.
+    """({name: how often it was called}, {what is kept: how often something was kept}) while the frames of one of ROUNDS are gone through.
 
     Some things are kept for a thread, and which thread evaluates an object is left to chance. So the next two are gone through if something
-    was made: what a thread makes when it solves something for the first time is there then, and what each frame makes is made again.
+    was made: what a thread makes when it solves something for the first time is there then, and what each frame makes is made again. No frame
+    comes twice, as what one frame makes may still be kept when the frame comes again.
     """
-    for frames in COUNTED * ROUNDS:
+    for frames in ROUNDS:
         with counting() as counts, counting_kept() as kept:
             for frame in frames:
                 bpy.context.scene.frame_set(frame)

@@ -1,5 +1,6 @@
 """The integral of an F-curve: right from any frame to any other, and of many keys only what has not been summed up before is asked."""
 
+import contextlib
 from unittest import mock
 
 import bpy
@@ -42,15 +43,34 @@ class Integral(TrackTestCase):
         for first in (-20.0, 1.0, 5.5, 60.25, 75.0):
             self.assert_right(first, 2e-3)
 
+    @contextlib.contextmanager
+    def modified(self, kind):
+        """The F-curve has a modifier until the block ends."""
+        curve = support.addon("core.blender.actions").find(self.thing, "location", 0)
+        modifier = curve.modifiers.new(kind)
+        curve.update()
+        self.thing.update_tag()
+        yield
+        curve.modifiers.remove(modifier)
+        self.thing.update_tag()
+
     def test_with_modifiers(self):
         for kind in ('CYCLES', 'NOISE'):
-            with self.subTest(kind):
-                curve = support.addon("core.blender.actions").find(self.thing, "location", 0)
-                modifier = curve.modifiers.new(kind)
-                curve.update()
-                self.thing.update_tag()
-                self.assert_right(-3.0, 2e-2)
-                curve.modifiers.remove(modifier)
+            with self.subTest(kind), self.modified(kind):
+                for first in (-9.25, -3.0, 1.0, 11.95):
+                    self.assert_right(first, 2e-2)
+
+    def test_what_is_summed_up_serves_every_first_frame(self):
+        for kind, most in ((None, 1), ('NOISE', 4)):
+            with self.subTest(kind), contextlib.ExitStack() as stack:
+                if kind:
+                    stack.enter_context(self.modified(kind))
+                curve = self.curve()
+                sums = stack.enter_context(mock.patch.object(self.keys, "_Sums", wraps=self.keys._Sums))
+                for first in np.linspace(-6.5, 50.0, 80).tolist():
+                    self.keys.integral(curve, first, 55.5)
+                self.assertGreater(sums.call_count, 0)
+                self.assertLessEqual(sums.call_count, most)
 
     def test_the_same_bits_in_any_order(self):
         curve = self.curve()

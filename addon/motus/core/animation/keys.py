@@ -44,8 +44,8 @@ FARTHEST = 2.0**20  # frames beyond the keys; everything farther away is one pie
 
 LARGEST_CACHE = 64
 _FOUND = keeping.OfEvaluation(
-    "frames of the keys of F-curves, and their integrals from a frame to each piece that follows, up to the last key",
-    "address of the F-curve, first frame of the integral",
+    "frames of the keys of F-curves, and their integrals from a frame up to the first key to each piece that follows, up to the last key",
+    "address of the F-curve, first frame of the integrals",
     f"{LARGEST_CACHE} for each evaluated action",
 )
 
@@ -79,9 +79,10 @@ def integral(curve: Any, first: float, last: float) -> float:
     end = places[-1]
     if not first < min(end, last):
         return _integral(curve, _pieces(curve, places, first, last))
-    sums = _kept(curve, first, lambda: _Sums(curve, _pieces(curve, places, first, end)))
+    origin = _origin(curve, places, first)
+    sums = _kept(curve, origin, lambda: _Sums(curve, _pieces(curve, places, origin, end)))
     beyond = _terms(curve, _pieces(curve, places, end, last)).tolist() if last > end else []
-    return math.fsum([*sums.terms(min(last, end)), *beyond])
+    return math.fsum([*sums.terms(first, min(last, end)), *beyond])
 
 
 def samples(curve: Any, first: float, last: float) -> tuple[list[float], list[float]]:
@@ -141,7 +142,7 @@ def rate(curve: Any, frame: float) -> float:
 class _Sums:
     """Sums of the terms of an integral from the first of rising frames, `edges`, to each of them, each as a sum and what its rounding lost.
 
-    With what was lost, the sum of all terms up to a frame is rounded but once, as by math.fsum().
+    With what was lost, the sum of the terms between two edges is rounded but once, as by math.fsum().
     """
 
     def __init__(self, curve: Any, edges: list[float]) -> None:
@@ -152,12 +153,15 @@ class _Sums:
         lost = np.concatenate([[0.0], np.cumsum((sums[:-1] - (sums[1:] - added)) + (terms - added))])
         self._sums, self._lost = sums[:: len(NODES)], lost[:: len(NODES)]
 
-    def terms(self, frame: float) -> list[float]:
-        """Terms whose sum is the integral from the first edge to a frame, which lies between the first and the last edge."""
-        place = int(np.searchsorted(self._edges, frame, "right")) - 1
-        edge = float(self._edges[place])
-        rest = _terms(self._curve, [edge, frame]).tolist() if frame > edge else []
-        return [float(self._sums[place]), float(self._lost[place]), *rest]
+    def terms(self, first: float, last: float) -> list[float]:
+        """Terms whose sum is the integral from one frame to a later one. They may lie before the edges if the value is a straight line there."""
+        begin = int(np.searchsorted(self._edges, first, "left"))
+        end = int(np.searchsorted(self._edges, last, "right")) - 1
+        if end < begin:
+            return _terms(self._curve, [first, last]).tolist()
+        between = [self._sums[end], -self._sums[begin], self._lost[end], -self._lost[begin]]
+        rests = [(first, float(self._edges[begin])), (float(self._edges[end]), last)]
+        return [*map(float, between), *(term for rest in rests if rest[0] < rest[1] for term in _terms(self._curve, rest).tolist())]
 
 
 class _Laps:
@@ -239,6 +243,16 @@ def _nodes(edges: Any) -> Array:
     return (edges[:-1, None] + np.diff(edges)[:, None] * np.array(NODES)).ravel()
 
 
+def _origin(curve: Any, places: list[float], first: float) -> float:
+    """Frame from which an integral's pieces are summed up: the same one for many frames `first`, since the start of a motion may be keyed.
+
+    places: frames of the keys. Where modifiers change the value before the first key, it lies 2, 4, 8, ... frames before that key.
+    """
+    if first >= places[0] or _is_straight_beyond(curve, places):
+        return places[0]
+    return places[0] - math.ldexp(1.0, math.frexp(max(places[0] - first, 1.0))[1])
+
+
 def _pieces(curve: Any, places: list[float], first: float, last: float) -> list[float]:
     """Rising frames from `first` to `last` that divide the integral of an F-curve into pieces. places: frames of the keys."""
     inner = {*places, *_halves(places)}
@@ -315,7 +329,7 @@ def _places(curve: Any) -> list[float]:
 def _kept(curve: Any, what: float | None, make: Callable[[], Any]) -> Any:
     """Result of make(), kept until the keys of the F-curve's action are edited; only an evaluated action tells that.
 
-    what: the frame from which an integral goes; None for the frames of the keys.
+    what: the frame from which integrals go; None for the frames of the keys.
     """
     action = curve.id_data
     if not isinstance(action, bpy.types.Action) or not action.is_evaluated:
