@@ -39,6 +39,8 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
 /// Footfalls beyond the last planned one, for a leg of which a step is timed: its last foothold may be
 /// earlier.
 constexpr int spare_footfalls = 2;
+/// Moments that a timed step may have.
+constexpr int most_moments = 2;
 
 [[nodiscard]] double expected_steps(const BodyTrajectory& trajectory) {
     // At both ends of a stretch there may be one more than there are cycles, and one is if the foot is
@@ -68,7 +70,7 @@ Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory,
       soles_(settings.soles, trajectory.way().up),
       executor_(std::move(executor)),
       hips_(settings.hips) {
-    const auto spare = static_cast<double>(spare_footfalls) * static_cast<double>(settings.chosen.size());
+    const auto spare = static_cast<double>((spare_footfalls + most_moments) * settings.chosen.size());
     require(expected_steps(trajectory) + spare <= most_steps,
             "poses: must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "
             "would be planned");
@@ -122,11 +124,13 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     // The first footfall whose stand is half over when the body comes to rest.
     const auto last = static_cast<int>(
         std::ceil(trajectory_.cycles(stretch, leg, end) + own - 1.0 + 0.5 * trajectory_.duty(stretch, end)));
-    const int spare = is_timed(row(leg, stretch)) ? spare_footfalls : 0;
+    std::vector<double> cycles;
+    for (int cycle = first; cycle <= std::max(first, last); ++cycle) cycles.push_back(cycle);
+    if (is_timed(row(leg, stretch))) add_spare(leg, stretch, cycles);
     Footfalls falls;
-    for (int cycle = first; cycle <= std::max(first, last) + spare; ++cycle) {
+    for (const double cycle : cycles) {
         Footfall fall;
-        fall.lift_cycles = static_cast<double>(cycle) - own;
+        fall.lift_cycles = cycle - own;
         fall.lift = trajectory_.time_after(stretch, leg, fall.lift_cycles);
         fall.pace = {trajectory_.stride(stretch, fall.lift), trajectory_.duty(stretch, fall.lift)};
         fall.touch_cycles = fall.lift_cycles + (1.0 - fall.pace.duty);
@@ -142,6 +146,24 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     falls.front().lift = falls.front().touch = put;
     falls.back().until = std::numeric_limits<double>::infinity();
     return falls;
+}
+
+void Planner::add_spare(std::size_t leg, std::size_t stretch, std::vector<double>& cycles) const {
+    for (int i = 0; i < spare_footfalls; ++i) cycles.push_back(cycles.back() + 1.0);
+    const auto end = static_cast<std::ptrdiff_t>(cycles.size());
+    const double own = trajectory_.first_phase(stretch, leg);
+    const double duty = trajectory_.duty(stretch, trajectory_.way().times[trajectory_.last_sample(stretch)]);
+    const auto add_nearest = [&](const std::optional<double>& moment, double after_lift) {
+        if (!moment) return;
+        const double nearest = std::round(trajectory_.cycles(stretch, leg, *moment) + own - after_lift);
+        if (nearest > cycles[static_cast<std::size_t>(end) - 1]) cycles.push_back(nearest);
+    };
+    for (const std::size_t one : chosen_[row(leg, stretch)]) {
+        add_nearest(moments_[one].touch, 1.0 - duty);
+        add_nearest(moments_[one].until, 0.0);
+    }
+    std::sort(cycles.begin() + end, cycles.end());
+    cycles.erase(std::unique(cycles.begin() + end, cycles.end()), cycles.end());
 }
 
 void Planner::stand_at(std::size_t leg, std::size_t stretch, double middle, Footfall& fall) const {

@@ -80,6 +80,9 @@ class Planner {
         return leg * trajectory_.stretch_count() + stretch;
     }
     [[nodiscard]] Footfalls footfalls(std::size_t leg, std::size_t stretch) const;
+    /// Adds to the rising cycles in which a timed leg has footfalls some after the last one: the next ones,
+    /// and those that are nearest to moments long after the body has come to rest.
+    void add_spare(std::size_t leg, std::size_t stretch, std::vector<double>& cycles) const;
     void find_place(Footfall& fall) const;
     /// Where a footfall is whose stand has its middle at a time, s.
     void stand_at(std::size_t leg, std::size_t stretch, double middle, Footfall& fall) const;

@@ -246,6 +246,41 @@ TEST_CASE("a body that rests has its feet on their rest places in the end", "[ti
     }
 }
 
+TEST_CASE("a foot steps long after the body has come to rest, and walks as planned before", "[timed]") {
+    const Walker planned = walking(std::vector<ChosenStep>{});
+    const auto before = planned.steps(leg);
+    const Footstep last = before.back();
+    // It stands on its rest place before that, so there is no step.
+    for (const double touch : {12.0, 20.0, 20.3, 333.3, 1e5, 1e300}) {
+        const Walker walker = walking({timed(last, touch, std::nullopt)});
+        CHECK(std::ranges::equal(walker.steps(leg), before, is_same));
+        REQUIRE(walker.problems().size() == 1);
+        CHECK(walker.problems()[0].trouble == Trouble::no_touch);
+    }
+    // A foot that stands elsewhere steps.
+    ChosenStep early = timed(before[before.size() - 2], 30.0, 40.0), late = timed(last, 50.0, std::nullopt);
+    early.offset = {0.2, 0.0, 0.0};
+    const Walker walker = walking({early, late});
+    const auto steps = walker.steps(leg);
+    REQUIRE(steps.size() == before.size());
+    for (std::size_t i = 0; i + 3 < steps.size(); ++i) CHECK(is_same(steps[i], before[i]));
+    CHECK(steps[steps.size() - 2].touch == 30.0);
+    CHECK(steps.back().touch == 50.0);
+    CHECK(steps.back().lift == 40.0);
+    CHECK(steps.back().end == last.end);
+    CHECK(walker.problems().empty());
+    check_walks(walker);
+    // A foot that is put aside goes back to its rest place when it is told to lift.
+    ChosenStep aside = timed(last, std::nullopt, 60.0);
+    aside.offset = {0.3, 0.0, 0.0};
+    const Walker goes_back = walking({aside});
+    CHECK(goes_back.steps(leg).size() == before.size() + 1);
+    CHECK(goes_back.steps(leg).back().lift == 60.0);
+    CHECK(glm::distance(goes_back.steps(leg).back().end, last.end) < 1e-9);
+    CHECK(goes_back.problems().empty());
+    check_walks(goes_back);
+}
+
 TEST_CASE("steps that are timed at random never overlap", "[timed]") {
     Random random(7);
     Way way = way_along(10.0, [](double time) {
