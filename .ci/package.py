@@ -55,7 +55,7 @@ def stage(folder, modules, platforms=("linux-x64",), wheels=()):
     (folder / MANIFEST).write_text(manifest, encoding="utf-8")
     shutil.copy2(CLONE / "LICENSE", folder)
     plain.write(CLONE, folder / "manual")
-    for module in (stub(), *modules) if modules else ():
+    for module in modules:
         shutil.copy2(module, folder)
     for wheel in wheels:
         (folder / "wheels").mkdir(exist_ok=True)

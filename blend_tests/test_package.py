@@ -49,7 +49,7 @@ class Package(unittest.TestCase):
         files = [path.relative_to(self.folder) for path in self.folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts]
         manual = {path.suffix for path in files if path.parts[0] == "manual"}
         others = {path.suffix for path in files if path.parts[0] != "manual"}
-        self.assertLessEqual(others, {".py", ".pyi", ".so", ".whl", ".toml", "", ".svg", ".blend", ".json", ".png", ".dat"})
+        self.assertLessEqual(others, {".py", ".so", ".whl", ".toml", "", ".svg", ".blend", ".json", ".png", ".dat"})
         self.assertEqual(manual, {".html", ".css"})
 
     def test_bl_info_only_where_blender_reads_it(self):

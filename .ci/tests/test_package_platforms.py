@@ -47,9 +47,7 @@ class Zips(Temporary):
         self.assertEqual(manifest["platforms"], ["windows-x64"])
         self.assertLessEqual({"motus/manual/en/path.html", "motus/manual/en/operators.html", "motus/manual/style.css"}, set(names))
         natives = sorted(name for name in names if name.startswith("motus/motus_native"))
-        self.assertEqual(
-            natives, ["motus/motus_native.cp311-win_amd64.pyd", "motus/motus_native.cp313-win_amd64.pyd", "motus/motus_native.pyi"]
-        )
+        self.assertEqual(natives, ["motus/motus_native.cp311-win_amd64.pyd", "motus/motus_native.cp313-win_amd64.pyd"])
 
     def test_an_extension_brings_wheels_alone(self):
         wheel = self.folder / "motus_native-0-cp311-cp311-win_amd64.whl"
