@@ -79,7 +79,7 @@ SCENES = (
         description="Snow that falls on a village at dusk, whose roofs, trees and meadows turn white, without a cache",
         stills=(("Evening Camera", 9.0), ("Evening Camera", 3.0), ("Evening Camera", 0.4)),
         film=(0.0, 10.0),
-        loop=(5.0, 6.65),
+        loop=(7.2, 9.6),
         ambience=1.0,
     ),
     DemoScene(

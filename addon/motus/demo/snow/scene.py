@@ -32,7 +32,7 @@ CLOUDS = (
 AHEAD = 12.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
 LIFETIME = 14.0  # seconds until a flake has come down
 COVER = {"lump": 0.19, "resolution": 0.15, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0), "packed": 0.015}
-ROLL = (5.4, -1.6), (3.6, 0.3), (1.7, 1.3), (0.1, 2.0), (0.7, 4.6)
+ROLL = (4.6, -2.6), (3.0, 0.4), (2.1, 2.6), (0.6, 4.4), (-0.2, 6.8)
 """Points, x and y, between which the snowball rolls in a smooth curve."""
 ROLLS = 5.5, 9.6  # seconds of the scene
 BALL = 0.34, 0.66  # m, radius of the snowball before and after
