@@ -2,12 +2,12 @@
 
 import functools
 import itertools
-import math
 from typing import Any, NamedTuple
 
 import bpy
 from mathutils import Matrix, Vector
 
+from ..core import native
 from ..core.animation import strips
 from ..core.blender import helpers
 from ..core.declare import CopyOf, Member, Transform
@@ -20,7 +20,6 @@ from ..core.tracks.transforms import Transforms
 from . import curves
 
 MOVE = frozenset({"location", "rotation"})
-_OPPOSITE = 1e-12  # part of a length, below which the sum of two opposite directions counts as none
 _STILL = 1.0, 0.0, 0.0, 0.0
 
 
@@ -245,9 +244,8 @@ class Origins(Input):
         own, worlds, space = self._worlds(frames, rows)
         rests = np.concatenate([rooted[None, :, :3, 3], self._rests(rooted, worlds, rows)])
         places = np.swapaxes(particles, 0, 1)
-        links = np.array(
-            [_turned(*pair) for pair in zip(np.swapaxes(np.diff(rests, axis=0), 0, 1), np.swapaxes(np.diff(places, axis=0), 0, 1))]
-        )
+        before = np.ascontiguousarray(np.swapaxes(np.diff(rests, axis=0), 0, 1))
+        links = native.module.link_turns(before, np.ascontiguousarray(np.diff(particles, axis=1)))
         turns, taken = np.swapaxes(links, 0, 1).copy(), self._taken(rows)
         if taken.any():
             way = rotations.of_axes(rotations.chained(rooted, self.still.back[None])[:, :3, :3])
@@ -302,41 +300,3 @@ def _along_channels(obj, move):
         return move
     axes: Matrix = (obj.parent.matrix_world @ obj.matrix_parent_inverse).to_3x3()
     return axes.inverted_safe() @ Vector(move)
-
-
-def _turned(before, after):
-    """List unit quaternions by which links turn from directions (k, 3) to others: each takes the next ones along, and these turn no more than needed."""
-    turn, found = _STILL, []
-    for one, other in zip(before.tolist(), after.tolist()):
-        turn = _product(_arc(_rotated(turn, one), other), turn)
-        found.append(turn)
-    return found
-
-
-def _product(left, right):
-    (w, x, y, z), (a, b, c, d) = left, right
-    return (w * a - x * b - y * c - z * d, w * b + x * a + y * d - z * c, w * c - x * d + y * a + z * b, w * d + x * c - y * b + z * a)
-
-
-def _cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def _rotated(turn, vector):
-    """A vector rotated by a unit quaternion."""
-    w, *axis = turn
-    once = _cross(axis, vector)
-    twice = _cross(axis, once)
-    return [one + 2.0 * (w * first + second) for one, first, second in zip(vector, once, twice)]
-
-
-def _arc(a, b):
-    """The unit quaternion of the shortest rotation that takes a direction to another; none if one of the vectors has no length."""
-    size = math.sqrt((a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]))
-    if not 0.0 < size < math.inf:
-        return _STILL
-    real, axis = size + (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]), _cross(a, b)
-    if real <= _OPPOSITE * size:  # half a turn, about any axis across
-        real, axis = 0.0, (0.0, -a[2], a[1]) if abs(a[0]) < abs(a[2]) else (-a[1], a[0], 0.0)
-    length = math.sqrt(real * real + axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
-    return (real / length, axis[0] / length, axis[1] / length, axis[2] / length)

@@ -13,6 +13,7 @@
 #include "core/rotations.hpp"
 #include "core/typed.hpp"
 #include "motus/bones/products.hpp"
+#include "motus/bones/turns.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -80,6 +81,27 @@ DoubleArray products(const Float64Array& left, const Float64Array& right) {
     return result;
 }
 
+constexpr double link_cost = 20.0;  // ns, rough
+
+[[nodiscard]] DoubleArray turns_of_links(const Float64Array& before, const Float64Array& after) {
+    const py::array rows = rows_of_matrices(before, "before");
+    const auto count = static_cast<std::size_t>(rows.shape(0)),
+               links = static_cast<std::size_t>(rows.shape(1));
+    const auto* from =
+        reinterpret_cast<const glm::dvec3*>(elements<double>(before, "before", {count, links, 3}).data());
+    const auto* to =
+        reinterpret_cast<const glm::dvec3*>(elements<double>(after, "after", {count, links, 3}).data());
+    DoubleArray result = new_array({count, links, 4});
+    const std::span<glm::dquat> out = quaternions_in(result.mutable_data(), count * links);
+    {
+        const ReleaseGil released(count * links, link_cost);
+        for (std::size_t first = 0; first < out.size(); first += links)
+            bones::turn_links({from + first, links}, {to + first, links}, out.subspan(first, links));
+        rows_from_quaternions(out);
+    }
+    return result;
+}
+
 }  // namespace
 
 void bind_pose(py::module_& m) {
@@ -96,6 +118,12 @@ Locations, rotations and scales as 4 x 4 matrices, column by column, as Blender'
 locations: (m, 3).  rotations: (m, 4), w, x, y, z.  out: a C-contiguous float32 array (m, 16) to write into, which shares
 no memory with locations and scales.  scales: (m, 3) along the rotated axes; None: 1.
 Returns (m, 16) float32.  Raises ValueError or TypeError that names the argument.)");
+    m.def("link_turns", &turns_of_links, "before"_a, "after"_a, R"(
+Rotations (n, k, 4), w, x, y, z, by which the k links of n rows turn from directions to others: each link takes the next ones
+along, and these turn by the smallest rotation from there. A link that has no length turns with the one above.
+
+before, after: (n, k, 3) float64, of any length, aligned and C-contiguous. Their numbers may be infinite or NaN.
+Raises ValueError or TypeError that names the argument.)");
     m.def("matrix_products", &products, "left"_a, "right"_a, R"(
 Matrix products left @ right, (n, k, m). Their numbers may be infinite or NaN.
 

@@ -18,6 +18,18 @@ glm::dquat half_turn_to(const glm::dvec3& from, const glm::dvec3& to, const glm:
     return {0.0, about.x, about.y, about.z};
 }
 
+void turn_links(std::span<const glm::dvec3> before, std::span<const glm::dvec3> after,
+                std::span<glm::dquat> turns) {
+    require(after.size() == before.size(), "after: must have as many rows as before");
+    require(turns.size() == before.size(), "turns: must have as many rows as before");
+    glm::dquat turn = no_turn;
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const auto from = direction_of(turn * before[i]), to = direction_of(after[i]);
+        if (from && to) turn = smallest_turn(*from, *to, some_across(*from)) * turn;
+        turns[i] = turn;
+    }
+}
+
 glm::dquat share_of_turn(const glm::dquat& turn, double weight) {
     if (weight <= 0.0) return no_turn;
     const glm::dquat near = turn.w < 0.0 ? -turn : turn;

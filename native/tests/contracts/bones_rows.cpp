@@ -193,6 +193,13 @@ void add_arrays(Table& table) {
         arg("scales", std::vector<glm::dvec3>(2, glm::dvec3(1.0)), passed(), as_many_or_none("`locations`")))
         .costs("O(n)");
     add(
+        table, "bones::turn_links(before, after, turns)",
+        [](const auto& before, const auto& after, auto found) { turn_links(before, after, found); },
+        arg("before", std::vector<glm::dvec3>(2, glm::dvec3(0.0, 1.0, 0.0)), passed()),
+        arg("after", std::vector<glm::dvec3>(2, glm::dvec3(0.0, 0.0, 1.0)), passed(), as_many_as("`before`")),
+        out<glm::dquat>("turns", 2, "`before`"))
+        .costs("O(links)");
+    add(
         table, "bones::multiply(left, right, size, out)",
         [](const auto& left, const auto& right, auto found) {
             multiply(left, right, {3, 4}, found);

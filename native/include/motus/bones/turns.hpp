@@ -1,6 +1,6 @@
 // Rotations that take a direction or frame to another one (from-to rotations), and slerp.
 //
-// Costs: O(1). Allocates nothing. Any number of threads at once.
+// Costs: O(1), of a row O(links). Allocates nothing. Any number of threads at once.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "motus/config.hpp"
 #include "motus/core/numeric.hpp"
@@ -62,6 +63,13 @@ template <class Axis>
     const glm::dvec3 unit_to = direction_or(to, none);
     return unit_from == none || unit_to == none ? no_turn : smallest_turn(unit_from, unit_to, axis());
 }
+
+/// Rotations by which the links of a row turn, in world space, from the directions `before` to those `after`,
+/// vectors of any length: each link takes the next ones along, and these turn by the smallest rotation from
+/// there. A link that has no length, or is not finite, before or after, turns with the one above. Throws
+/// std::invalid_argument if the spans differ in size.
+void turn_links(std::span<const glm::dvec3> before, std::span<const glm::dvec3> after,
+                std::span<glm::dquat> turns);
 
 /// 1 / sqrt(square) of a square that is 1 except for rounding, such as that of a product of unit quaternions.
 [[nodiscard]] inline double inverse_root_near_one(double square) {
