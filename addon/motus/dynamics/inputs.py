@@ -6,12 +6,13 @@ An entry is one item in an owner's list of dynamics. Inputs read tracks: a track
 import functools
 
 from ..core import tracks, wiring
+from ..core.animation import strips
 from ..core.declare import registered
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.refusals import Refused
 from ..core.tracks import in_world, rotations
-from ..core.tracks.inputs import PARENT, Input, Tails, carrier
+from ..core.tracks.inputs import PARENT, Input, Tails, carrier, stamp_of_known
 from . import filters, sampling
 from .sampling import Samples
 
@@ -49,6 +50,12 @@ class _Filtered(Input):
     def frames(self, timing):
         """Return the frames (n,), rising, of a sampling.Timing."""
         return self.kept(timing, lambda: timing.times(self.tracks, self._scene))
+
+    def sampled(self, reach):
+        """Return the Samples of the input for a sampling.Reach, kept until the input changes, so that an edit of the filter reads nothing anew."""
+        frames, entry = self.times(reach), self._entry
+        what = "dynamics", self.place, frozenset(entry.channels), entry.jump, self.fps, frames.tobytes()
+        return tracks.kept_by(strips.together(map(stamp_of_known, self.tracks)), what, lambda: self.samples(frames))
 
     def is_cut(self, reach, entries):
         """Whether any of several entries would need more samples of the input than a sampling.Reach allows."""
@@ -91,6 +98,9 @@ def seconds_of(frames, scene):
 class OwnInput(_Filtered):
     """Input that is an Object's or PoseBone's own transform: its location, rotation and scale channels without its parents."""
 
+    place = 'OWN'
+    """What of the thing itself, besides its tracks, the samples depend on; hashable."""
+
     @functools.cached_property
     def listed(self):
         """[(track of the transform, keywords of the operator motus.track_record that records it)]: one pair."""
@@ -118,6 +128,11 @@ class WorldInput(_Filtered):
     """Input that is an object's motion in the world: its own transform on top of its parent's world matrix."""
 
     carriers = (PARENT,)
+
+    @property
+    def place(self):
+        """What of the object itself, besides its tracks, the samples depend on: how it hangs on its parent; hashable."""
+        return in_world.parent_offset(self._thing).tobytes()
 
     @functools.cached_property
     def listed(self):

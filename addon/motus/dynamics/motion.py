@@ -134,7 +134,7 @@ def part_of(thing, entry, row, place, scene, reach):
     extent = source.extent
     if extent is None:
         return None
-    samples = source.samples(source.times(reach))
+    samples = source.sampled(reach)
     # One filter serves all channels of the member.
     follower = filters.second_order(filters.numbers(entry))
     is_loop = inputs.has_loop(entry)
