@@ -1,9 +1,11 @@
 """What is made of what is followed is kept from frame to frame, until something of that is edited."""
 
+import contextlib
 from unittest import mock
 
 import bpy
 import numpy as np
+from mathutils import Matrix
 
 import support
 from dynamics import dynamics_cases as cases
@@ -54,6 +56,41 @@ class DynamicsKeptTest(support.SceneTestCase):
                 spline.id_data.update_tag()
                 bpy.context.view_layer.update()
                 self.assertSeen(rig, name, before, 24)
+
+    def read(self, act):
+        """How often an object's input is sampled meanwhile."""
+        inputs = support.addon("dynamics.inputs")
+        with contextlib.ExitStack() as stack:
+            kinds = inputs.OwnInput, inputs.WorldInput
+            counted = [stack.enter_context(mock.patch.object(one, "samples", autospec=True, side_effect=one.samples)) for one in kinds]
+            act()
+            bpy.context.view_layer.update()
+        return sum(one.call_count for one in counted)
+
+    def test_what_an_object_follows_while_its_filter_is_edited(self):
+        carrier, ball = cases.moved("Carrier"), cases.moved("Ball")
+        carrier.location.z, ball.parent = 1.0, carrier
+        (entry,) = cases.add(ball, follow='WORLD', frequency=1.0, damping=0.2, channels={'LOCATION'})
+        cases.go_to(24)
+        for name, value in (("frequency", 2.0), ("damping", 0.4), ("weight", 0.5), ("delay", 0.1)):
+            before = cases.matrix(ball, 24)
+            self.assertEqual(self.read(lambda name=name, value=value: setattr(entry, name, value)), 0, name)
+            self.assertGreater(np.abs(cases.matrix(ball, 24) - before).max(), 1e-4, name)
+        edits = {
+            "keys of the parent": lambda: cases.key(carrier, "location", {22: (5.0, 1.0, 0.0)}),
+            "its own keys": lambda: cases.key(ball, "location", {22: (0.0, 1.0, 4.0)}),
+            "how it hangs": lambda: setattr(ball, "matrix_parent_inverse", Matrix.Rotation(1.0, 4, 'X')),
+            "what follows": lambda: setattr(entry, "channels", {'LOCATION', 'ROTATION'}),
+            "what is a jump": lambda: setattr(entry, "jump", 0.1),
+            "what it follows": lambda: setattr(entry, "follow", 'OWN'),
+        }
+        for what, edit in edits.items():
+            with self.subTest(what):
+                self.assertGreater(self.read(edit), 0)
+                edited = cases.matrix(ball, 24)
+                support.addon("core.keeping").forget_file()
+                ball.update_tag()
+                np.testing.assert_array_equal(cases.matrix(ball, 24), edited)
 
     def test_what_the_rig_hangs_on(self):
         rig, carrier = cases.rope(2), cases.moved("Carrier")
