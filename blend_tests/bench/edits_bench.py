@@ -19,10 +19,13 @@ import typical_bench  # noqa: E402
 from table import Column, Table  # noqa: E402
 
 import support  # noqa: E402
+from dynamics import dynamics_cases  # noqa: E402
 
 EDITS, BEFORE = 60, 5
 """Edits that are measured, and those before, by which Blender and the add-on come to their steady state."""
 
+BEADS, LAMPS = 8, 4
+"""Objects of a row that hangs, and objects with dynamics on them."""
 OWNERS = 200
 STARTS = 5
 
@@ -91,6 +94,28 @@ def angle():
     return _setting(next(obj for obj in bpy.data.objects if obj.motus.pendulum.is_active).motus.pendulum, "angle1")
 
 
+def hanging():
+    """(object of a row that hangs as a chain, whose root is keyed; objects with dynamics that are parented to others of the row)."""
+    beads = [dynamics_cases.link(f"Bead {index}") for index in range(BEADS)]
+    for index, bead in enumerate(beads):
+        bead.location = 0.0, 0.3 * index, 2.0
+    dynamics_cases.key(beads[0], "location", {1: (0.0, 0.0, 2.0), 40: (2.0, 0.0, 2.0), 80: (-1.0, 0.0, 2.0)})
+    bpy.ops.motus.chains_add(objects=", ".join(bead.name for bead in beads), frequency=1.0)
+    followers = [dynamics_cases.link(f"Lamp {index}") for index in range(LAMPS)]
+    for index, follower in enumerate(followers):
+        follower.parent = beads[1 + index]
+        dynamics_cases.add(follower, follow='WORLD')
+    return beads[0], followers
+
+
+def below_a_chain():
+    return _setting(hanging()[1][0].motus.dynamics.entries[0], "frequency")
+
+
+def chain_above():
+    return _setting(hanging()[0].motus.chains.entries[0], "frequency")
+
+
 def _setting(group, name):
     def edit(value):
         setattr(group, name, value)
@@ -106,6 +131,8 @@ EDITED = {  # what makes the scene and returns the edit
     "weight of a limb": weight,
     f"frequency of one of {dynamics_bench.OBJECTS} objects": frequency,
     f"frequency of {dynamics_bench.CHAINS * dynamics_bench.BONES} bones": bones_frequency,
+    "frequency of an object on a row that hangs": below_a_chain,
+    f"frequency of a row that {LAMPS} objects follow": chain_above,
     "weight of a layer": layer_weight,
     f"first angle of one of {typical_bench.OWNERS} pendulums": angle,
 }

@@ -52,6 +52,35 @@ class ChainsOverTime(solved_cases.Solved, support.SceneTestCase):
         bpy.context.view_layer.update()
         self.assertGreater(np.abs(cases.matrix(flag, 24) - alone).max(), 1e-3)
 
+    def test_what_hangs_on_several_of_a_chain_shares_its_motion(self):
+        """Which is found once for all that follow, and anew when the chain, or what it hangs on, is edited."""
+        beads, rig = test_chains_objects.row(3), cases.rope(3)
+        rows, ropes = test_chains_objects.add(beads, frequency=1.0), cases.add(rig, frequency=1.0)
+        flags = [support.link(f"Flag {index}", parent=beads[index]) for index in (1, 2, 3)]
+        lamps = [support.link(f"Lamp {index}", parent=rig) for index in (0, 1, 2)]
+        for lamp in lamps:
+            lamp.parent_type, lamp.parent_bone = 'BONE', "Tail 0 2"
+        over_time = support.addon("chains.over_time")
+        for followers, kind, name, entry, root in (
+            (flags, over_time._Object, "_moved", rows[0], beads[0]),
+            (lamps, over_time._Bone, "_changes", ropes[0], rig),
+        ):
+            with self.subTest(name):
+                for follower in followers:
+                    dynamics_cases.add(follower, style='BOUNCY')
+                for edit in (
+                    lambda entry=entry: setattr(entry, "frequency", 0.5),
+                    lambda root=root: dynamics_cases.key(root, "location", {20: (2.0, 1.0, 2.0)}),
+                ):
+                    before = cases.matrix(followers[0], 24)
+                    with unittest.mock.patch.object(kind, name, autospec=True, side_effect=getattr(kind, name)) as found:
+                        edit()
+                        bpy.context.view_layer.update()
+                        bpy.context.scene.frame_set(24)
+                    # Two threads may find it at the same time.
+                    self.assertIn(found.call_count, (1, 2))
+                    self.assertGreater(np.abs(cases.matrix(followers[0], 24) - before).max(), 1e-3)
+
 
 class ChainsOnChains(support.SceneTestCase):
     def pinned(self):

@@ -91,6 +91,16 @@ class _Hanging:
         return -np.inf, np.inf
 
     @property
+    def _stamp_of_all(self):
+        """Hashable value that changes whenever the motion of the chain may; None if changes cannot be detected."""
+        raise NotImplementedError
+
+    @property
+    def stamp(self):
+        """Hashable value that changes whenever the motion of the bone or object may; None if changes cannot be detected."""
+        return together((self._row, self._stamp_of_all))
+
+    @property
     def _weight(self):
         entry = self._chain.entry
         return 0.0 if entry.is_muted else self._owner.motus.chains.influence * entry.weight
@@ -127,7 +137,7 @@ class _Bone(_Hanging):
 
     def applied(self, times, transforms):
         """Transforms of the bone in its chain, from `transforms` of its own channels, at times (n,) of the scene."""
-        found = once(self._owner, self._name, times, lambda: self._changes(times))
+        found = once(self._owner, self._name, times, lambda: self._changes(times), lambda: self._stamp_of_all)
         if found is None:
             return transforms
         turns, scales = (one[:, self._row] for one in found)
@@ -148,10 +158,9 @@ class _Bone(_Hanging):
         return self._rig.turns(times, names, places, np.full(len(names), self._weight), scales), scales
 
     @property
-    def stamp(self):
-        """Hashable value that changes whenever the bone's motion may."""
+    def _stamp_of_all(self):
         above = [track.stamp for one in self._inputs for track, keywords in one.listed if keywords["transform"] == 'WORLD']
-        return together((self._row, self._rig.stamp, self._around.stamp, *above))
+        return together((self._rig.stamp, self._around.stamp, *above))
 
 
 class _Object(_Hanging):
@@ -159,7 +168,7 @@ class _Object(_Hanging):
 
     def applied(self, times, matrices):
         """World matrices (n, 4, 4) of the object in its row, from `matrices` without it, at times (n,) of the scene."""
-        moved = once(self._owner, self._name, times, lambda: self._moved(times))
+        moved = once(self._owner, self._name, times, lambda: self._moved(times), lambda: self._stamp_of_all)
         if moved is None:
             return matrices
         found = np.broadcast_to(matrices, (len(times), 4, 4)).copy()
@@ -174,8 +183,7 @@ class _Object(_Hanging):
         return self._input.moved(np.asarray(times, float), self._particles(part, self._seconds(times)), self._weight)
 
     @property
-    def stamp(self):
-        """Hashable value that changes whenever the object's motion may."""
+    def _stamp_of_all(self):
         settings = self._owner.motus.chains
         numbers = [getattr(chain.entry, name) for chain in self._together for name in (*KEYWORDS, "weight", "is_muted", "hold_end")]
         shared = (
@@ -188,4 +196,4 @@ class _Object(_Hanging):
             settings.inherit,
             settings.use_touch,
         )
-        return together((self._row, *numbers, *shared, *(one.stamp for one in self._inputs), self._around.stamp))
+        return together((*numbers, *shared, *(one.stamp for one in self._inputs), self._around.stamp))

@@ -14,8 +14,8 @@ from .in_world import World
 from .transforms import Own
 
 _KEPT = keeping.OfEvaluation(
-    "values that are derived from a rig's keys, settings and rest pose",
-    "name of the value; recomputed if the stamp of keys, settings or rest pose differs",
+    "values that are derived from a rig's keys, settings and rest pose, and the latest motion over time of what is solved together",
+    "name of the value; recomputed if the stamp of what it depends on differs",
     "one for each name",
 )
 
@@ -151,12 +151,17 @@ def columns(matrices, count):
     return np.broadcast_to(np.swapaxes(matrices, 1, 2), (count, 4, 4)).reshape(count, 16)
 
 
-def once(rig, name, times, make):
+def once(rig, name, times, make, stamp=None):
     """Result of make() for a rig and times, computed once while one question about a track is answered (see evaluated/question.py).
 
     Bones that are solved together are asked for one by one: all of them share the result. name: hashable name of what is solved.
+    stamp(): hashable value that changes whenever the result may; None if changes cannot be detected. If it is given, the latest result is
+    kept, so that all solvers that ask for the same times share it, too.
     """
-    return answered((hash(rig), name, times.tobytes()), make)
+    marks = times.tobytes()
+    if stamp is None:
+        return answered((hash(rig), name, marks), make)
+    return answered((hash(rig), name, marks), lambda: _latest(rig, (name, "over time"), together((stamp(), marks)), make))
 
 
 def stamp_of(rig):
@@ -173,7 +178,11 @@ def kept(rig, name, make):
 
     name: hashable. The result must not refer to Blender's data.
     """
-    stamp = stamp_of(rig)
+    return _latest(rig, name, stamp_of(rig), make)
+
+
+def _latest(rig, name, stamp, make):
+    """Result of make() for a rig, kept under a name until the stamp is another one; made anew each time if the stamp is None."""
     if stamp is None:
         return make()
     known = _KEPT.on(copies.of(rig))
