@@ -192,11 +192,12 @@ void add_arrays(Table& table) {
         out<float>("out", 32, "16 times `locations`"),
         arg("scales", std::vector<glm::dvec3>(2, glm::dvec3(1.0)), passed(), as_many_or_none("`locations`")))
         .costs("O(n)");
+    const Domain turned = any_at_rest("any; a link that is not finite turns with the one above");
     add(
         table, "bones::turn_links(before, after, turns)",
         [](const auto& before, const auto& after, auto found) { turn_links(before, after, found); },
-        arg("before", std::vector<glm::dvec3>(2, glm::dvec3(0.0, 1.0, 0.0)), passed()),
-        arg("after", std::vector<glm::dvec3>(2, glm::dvec3(0.0, 0.0, 1.0)), passed(), as_many_as("`before`")),
+        arg("before", std::vector<glm::dvec3>(2, glm::dvec3(0.0, 1.0, 0.0)), turned),
+        arg("after", std::vector<glm::dvec3>(2, glm::dvec3(0.0, 0.0, 1.0)), turned, as_many_as("`before`")),
         out<glm::dquat>("turns", 2, "`before`"))
         .costs("O(links)");
     add(

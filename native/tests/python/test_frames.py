@@ -175,3 +175,28 @@ class PoseTest(unittest.TestCase):
             native.pack_matrices(locations, self.rotations, np.empty((100, 16)))
         with self.assertRaisesRegex(ValueError, "rotations"):
             native.pack_matrices(locations, self.rotations[:50])
+
+    def test_turns_of_links(self):
+        before, after = np.random.default_rng(4).normal(size=(2, 50, 4, 3))
+        turns = native.link_turns(before, after)
+        self.assertEqual((turns.shape, turns.dtype), ((50, 4, 4), np.dtype(float)))
+        w, v = turns[..., :1], turns[..., 1:]
+        turned = before + 2.0 * np.cross(v, np.cross(v, before) + w * before)
+        lengths = np.linalg.norm(turned, axis=2, keepdims=True) / np.linalg.norm(after, axis=2, keepdims=True)
+        np.testing.assert_allclose(turned, lengths * after, atol=1e-12)
+        np.testing.assert_array_equal(native.link_turns(before[:1], after[:1]), turns[:1])
+        still = np.tile([1.0, 0.0, 0.0, 0.0], (50, 4, 1))
+        np.testing.assert_array_equal(native.link_turns(before, np.full(after.shape, np.nan)), still)
+        for shape in ((0, 4), (50, 0)):
+            self.assertEqual(native.link_turns(np.zeros((*shape, 3)), np.zeros((*shape, 3))).shape, (*shape, 4))
+        cases = (
+            (before[0], after, "before"),
+            (before, after[:40], "after"),
+            (before, after[:, :3].copy(), "after"),
+            (before[..., :2].copy(), after, "before"),
+        )
+        for one, other, name in cases:
+            with self.assertRaisesRegex(ValueError, f"^{name}: "):
+                native.link_turns(one, other)
+        with self.assertRaisesRegex(TypeError, "^after: "):
+            native.link_turns(before, after.astype(np.float32))
